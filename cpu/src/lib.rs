@@ -1,0 +1,1 @@
+//! The CPU backend: rays, captures, path tracer, tiles and SIMD dispatch.

@@ -1,0 +1,1 @@
+//! Indirect-illumination estimators: traits, parameters, registry and one folder per method.

@@ -1,0 +1,1 @@
+//! The GPU backend: wgpu context, passes, timestamps, read-back and captures.

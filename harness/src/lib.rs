@@ -1,0 +1,1 @@
+//! Measures real-time indirect-illumination estimators: bench, render, probe, reference, compare.

@@ -1,0 +1,2 @@
+//! The `interreflect` command.
+fn main() {}

@@ -1,0 +1,26 @@
+//! Scenes, points and capture images: what is lit, and what is asked of a backend.
+//!
+//! Everything in this crate is data and pure functions; it knows no backend. Units: metres,
+//! linear RGB, radiance in W·m⁻²·sr⁻¹; frames are right-handed.
+
+pub mod camera;
+pub mod conventions;
+pub mod cube_image;
+pub mod environment;
+pub mod light;
+pub mod material;
+pub mod mesh;
+pub mod needs;
+pub mod params;
+pub mod points;
+mod scene;
+
+pub use camera::Camera;
+pub use cube_image::CubeImage;
+pub use environment::{Environment, LatLongImage};
+pub use light::{Incident, Light, SpotShape};
+pub use material::Material;
+pub use mesh::Mesh;
+pub use needs::{CubeChannels, CubeSpec, Needs, SceneFacts};
+pub use points::{Estimate, LANES, Point, PointLayout, Points, SurfaceMaterial};
+pub use scene::{Object, Role, Scene};

@@ -1,0 +1,48 @@
+//! What a method asks of a backend before it can run.
+
+use std::collections::BTreeSet;
+
+/// Channels of a cube capture; what is not asked for is not captured.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct CubeChannels {
+    /// Radiance towards the reference point: emission and reflected direct light.
+    pub radiance: bool,
+    /// Distance from the reference point to the surface.
+    pub distance: bool,
+    /// Unit normal of the surface, on the side of the reference point.
+    pub normal: bool,
+}
+
+/// A cube capture around the scene's reference point, one ray through each texel's centre.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct CubeSpec {
+    /// Texels along the edge of a face.
+    pub size: u32,
+    /// What each texel holds.
+    pub channels: CubeChannels,
+}
+
+/// Everything a method reads beyond its points. A capture that was not declared can't be read;
+/// one that was declared and never read fails conformance.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Needs {
+    /// Cube captures, each readable by the spec that asked for it.
+    pub cubes: BTreeSet<CubeSpec>,
+    /// Ray queries and full light transport in the whole scene (CPU only).
+    pub light_transport: bool,
+}
+
+/// What a method may know of a scene when it says what it needs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct SceneFacts {
+    /// There are surfaces to capture.
+    pub surfaces: bool,
+    /// Radiance arrives from infinitely far away.
+    pub environment: bool,
+    /// Number of point, spot, directional and area lights.
+    pub lights: u32,
+    /// Some captured surface emits.
+    pub emitters: bool,
+    /// Some captured surface is a mirror.
+    pub mirrors: bool,
+}

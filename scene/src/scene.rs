@@ -1,0 +1,69 @@
+//! A whole scene.
+
+use crate::{Camera, Environment, Light, Material, Mesh, SceneFacts};
+use glam::Vec3;
+
+/// What a mesh is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// Sends indirect light: captures see it.
+    Environment,
+    /// Receives indirect light: it carries the points, and captures leave it out, as casters of
+    /// shadows too. Only the path tracer knows it as an occluder and a reflector.
+    Receiver,
+}
+
+/// A mesh with its role.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Object {
+    /// Name for messages.
+    pub name: String,
+    /// What the mesh is for.
+    pub role: Role,
+    /// The mesh, in world space.
+    pub mesh: Mesh,
+}
+
+/// A scene in world space, checked when it was loaded: every index in range, every number finite.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// Name in reports.
+    pub name: String,
+    /// The meshes.
+    pub objects: Vec<Object>,
+    /// Materials that the meshes' triangles refer to.
+    pub materials: Vec<Material>,
+    /// Point, spot, directional and area lights.
+    pub lights: Vec<Light>,
+    /// Radiance arriving from infinitely far away.
+    pub environment: Option<Environment>,
+    /// The camera.
+    pub camera: Camera,
+    /// Reference point `o` of cube captures.
+    pub reference_point: Vec3,
+}
+
+impl Scene {
+    /// The objects of one role.
+    pub fn objects_of(&self, role: Role) -> impl Iterator<Item = &Object> {
+        self.objects.iter().filter(move |o| o.role == role)
+    }
+
+    /// What a method may know of the scene when it says what it needs.
+    pub fn facts(&self) -> SceneFacts {
+        let used = || {
+            self.objects_of(Role::Environment)
+                .flat_map(|o| &o.mesh.materials)
+                .map(|&m| &self.materials[m as usize])
+        };
+        SceneFacts {
+            surfaces: self
+                .objects_of(Role::Environment)
+                .any(|o| !o.mesh.triangles.is_empty()),
+            environment: self.environment.is_some(),
+            lights: self.lights.len() as u32,
+            emitters: used().any(|m| m.emission != Vec3::ZERO),
+            mirrors: used().any(|m| m.mirror),
+        }
+    }
+}

@@ -1,0 +1,1 @@
+//! Oracles, invariants and parity checks that every estimator faces.
