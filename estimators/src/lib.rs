@@ -1,1 +1,27 @@
 //! Indirect-illumination estimators: traits, parameters, registry and one folder per method.
+//!
+//! A method says what it is ([`Method`]) and how it runs on a backend ([`Estimator`]); the
+//! [`Registry`] erases its types. Add one by copying a folder and registering it.
+
+mod averaging;
+mod backend;
+mod error;
+mod method;
+mod model;
+mod quantity;
+mod registry;
+
+pub mod classic_envmap;
+pub mod constant_ambient;
+pub mod localized_cubemap;
+pub mod path_reference;
+
+/// WGSL twin of [`interreflect_cpu::lane::Lane::lobe_power`].
+const LOBE_POWER: &str = include_str!("lobe_power.wgsl");
+
+pub use backend::{Backend, Captures, Changed, Cpu, Gpu, Inputs};
+pub use error::{EstimatorError, Unsupported};
+pub use method::{Estimator, Info, Method};
+pub use model::OwnModel;
+pub use quantity::Quantity;
+pub use registry::{Configured, CpuOnly, Entry, Registry, Session, UnknownEstimator};

@@ -1,1 +1,42 @@
 //! The GPU backend: wgpu context, passes, timestamps, read-back and captures.
+//!
+//! Everything runs on a [`GpuContext`]. Work is recorded by [`GpuContext::record`], which says how
+//! long it took; what the device refuses in it is a [`GpuError`], never a panic.
+
+mod adapter;
+mod buffers;
+mod capture;
+mod context;
+mod cube;
+mod cx;
+mod error;
+mod kernel;
+#[cfg(test)]
+mod layout_tests;
+mod lights;
+mod pipeline;
+mod points;
+mod readback;
+mod scene;
+mod shader;
+mod timestamps;
+pub mod wgsl;
+
+pub use adapter::{AdapterInfo, adapters};
+pub use capture::cube::capture_cube;
+pub use context::GpuContext;
+pub use cube::GpuCube;
+pub use cx::GpuCx;
+pub use error::GpuError;
+pub use kernel::{Binding, Kernel};
+pub use lights::MAX_LIGHTS;
+pub use pipeline::{CacheStats, Constants};
+pub use points::{GpuEstimate, GpuPoints};
+pub use scene::GpuScene;
+pub use shader::{Shader, validate};
+pub use timestamps::{GpuTime, TimeSource};
+
+/// Every shader of this crate.
+pub fn shaders() -> [Shader; 2] {
+    [capture::cube::SHADER, capture::shadow::SHADER]
+}

@@ -59,7 +59,9 @@ impl LatLongImage {
         let row = |r: i64| r.clamp(0, i64::from(self.height) - 1) as usize;
         let at = |c: i64, r: i64| self.texels[row(r) * self.width as usize + column(c)];
         let (c, r) = (u.floor() as i64, v.floor() as i64);
-        at(c, r).lerp(at(c + 1, r), fu).lerp(at(c, r + 1).lerp(at(c + 1, r + 1), fu), fv)
+        at(c, r)
+            .lerp(at(c + 1, r), fu)
+            .lerp(at(c, r + 1).lerp(at(c + 1, r + 1), fu), fv)
     }
 }
 

@@ -112,15 +112,14 @@ impl fmt::Display for Value {
 
 type Get<P, V> = fn(&P) -> V;
 type Set<P, V> = fn(&mut P, V);
+type NameOf<P> = Box<dyn Fn(&P) -> &'static str>;
+type SetByName<P> = Box<dyn Fn(&mut P, &'static str)>;
 
 enum Access<P> {
     U32(Get<P, u32>, Set<P, u32>),
     F32(Get<P, f32>, Set<P, f32>),
     Bool(Get<P, bool>, Set<P, bool>),
-    OneOf(
-        Box<dyn Fn(&P) -> &'static str>,
-        Box<dyn Fn(&mut P, &'static str)>,
-    ),
+    OneOf(NameOf<P>, SetByName<P>),
 }
 
 /// A parameter of the set `P`.

@@ -1,1 +1,8 @@
 //! Oracles, invariants and parity checks that every estimator faces.
+//!
+//! [`oracles`] are exact formulas, [`own_model`] evaluates what a method claims to compute by a
+//! deterministic integral, [`tolerance`] says how far two computations may part and why.
+
+pub mod oracles;
+pub mod own_model;
+pub mod tolerance;

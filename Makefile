@@ -1,0 +1,22 @@
+# make bench    measure every estimator and write results/report.html
+# make test     run all tests, with the GPU backend on a software driver if need be
+# make assets   fetch public models and environment maps into assets/
+#
+# Each target first installs what it needs and is not there yet (scripts/setup.sh).
+
+CARGO ?= cargo
+OUT ?= results
+
+.PHONY: bench test assets setup
+
+bench: setup
+	$(CARGO) run --release --package interreflect -- bench --out $(OUT)
+
+test: setup
+	$(CARGO) test --workspace
+
+assets:
+	@./scripts/assets.sh
+
+setup:
+	@./scripts/setup.sh

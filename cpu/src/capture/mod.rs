@@ -1,0 +1,3 @@
+//! Captures of the scene from the host's point of view: what estimators start from.
+
+pub mod cube;

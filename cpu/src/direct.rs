@@ -1,0 +1,43 @@
+//! Light that reaches a surface straight from the scene's lights.
+
+use crate::scene::{CpuScene, Geometry, SurfaceHit};
+use glam::Vec3;
+use interreflect_scene::Incident;
+use std::f32::consts::FRAC_1_PI;
+
+/// Light arriving unoccluded at a surface from each of the scene's lights, on the side that the
+/// ray came from; `occluders` cast hard shadows.
+pub fn arriving<'a>(
+    scene: &'a CpuScene,
+    occluders: &'a Geometry,
+    at: &'a SurfaceHit,
+) -> impl Iterator<Item = Incident> + 'a {
+    let lights = scene.scene().lights.iter();
+    lights
+        .filter_map(|light| light.incident(at.position.as_vec3()))
+        .filter(|light| at.geometric_normal.dot(light.to_light) > 0.0)
+        .filter(|light| {
+            let to_light = light.to_light.as_dvec3();
+            !occluders.occluded(at.position, to_light, f64::from(light.distance))
+        })
+}
+
+/// Radiance that leaves a surface towards where the ray came from, as captures see it: emission of
+/// the front side plus ρ/π times the irradiance from the scene's lights.
+///
+/// Lambertian reflection is two-sided and follows the triangles' own normals. Mirrors do not
+/// scatter light, so they show their emission only; specular lobes are left out.
+pub fn captured_radiance(scene: &CpuScene, occluders: &Geometry, at: &SurfaceHit) -> Vec3 {
+    let emitted = if at.front {
+        at.material.emission
+    } else {
+        Vec3::ZERO
+    };
+    if at.material.mirror || at.material.albedo == Vec3::ZERO {
+        return emitted;
+    }
+    let irradiance: Vec3 = arriving(scene, occluders, at)
+        .map(|light| light.irradiance * at.geometric_normal.dot(light.to_light))
+        .sum();
+    emitted + at.material.albedo * FRAC_1_PI * irradiance
+}

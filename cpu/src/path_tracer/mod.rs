@@ -1,0 +1,155 @@
+//! The path tracer: full light transport at arbitrary points, or chosen parts of it.
+//!
+//! Each point is estimated by [`REPLICATES`] independent randomisations of one low-discrepancy
+//! sequence. Their spread gives the standard error: it needs no assumption on how fast the
+//! sequence converges. Sequences are seeded by point and replicate and summed in order, so the
+//! same seed gives the same bits for any number of threads.
+
+pub(crate) mod emitters;
+mod estimator;
+mod lobe;
+mod sampling;
+mod settings;
+
+pub use settings::{LightPaths, PathQuantity, Stop};
+
+use crate::scene::CpuScene;
+use estimator::Estimator;
+use glam::DVec3;
+use interreflect_scene::{Estimate, Points};
+use rayon::prelude::*;
+use sampling::{SEQUENCE_LENGTH, Sample, hash};
+use std::{
+    sync::atomic::{AtomicUsize, Ordering},
+    time::Instant,
+};
+
+/// Independent randomisations of each point's sequence; the samples a point are a multiple of it,
+/// at most 2¹⁶ times as many.
+pub const REPLICATES: u32 = 32;
+
+/// Makes a z-score from [`REPLICATES`] means as rare as a normal one at |z| = 4: Student's t with
+/// 31 degrees of freedom exceeds 4 × this as often as a normal variable exceeds 4.
+const STUDENT_AT_4_SIGMA: f64 = 1.1554;
+
+/// Rounding to f32 and the lift of points off their surface, relative to the estimate: no
+/// standard error is smaller.
+const FLOOR: f64 = 1e-6;
+
+/// Replicates that a task samples before it looks for more work.
+const TASK: usize = 8;
+
+/// Estimates of all points.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Traced {
+    /// The estimate; zero where a point has no surface, NaN where its data are not numbers.
+    pub mean: Estimate,
+    /// One standard error of `mean`, from the spread of the replicates; scaled so that |z| > 4
+    /// is as rare as for a normal variable in spite of their number. Never below 1e-6 of `mean`.
+    pub standard_error: Estimate,
+    /// Samples at each point.
+    pub samples: u32,
+}
+
+/// Traces paths from all points until `stop` is satisfied.
+///
+/// `progress` is called with the fraction done, from any thread, at most a hundred times a round.
+pub fn trace(
+    scene: &CpuScene,
+    points: &Points,
+    quantity: PathQuantity,
+    paths: &LightPaths,
+    stop: &Stop,
+    seed: u64,
+    progress: &(dyn Fn(f32) + Sync),
+) -> Traced {
+    let start = Instant::now();
+    let estimator = Estimator::new(scene, paths);
+    let largest = stop.largest(REPLICATES, SEQUENCE_LENGTH);
+    let mut sums = vec![DVec3::ZERO; points.len() * REPLICATES as usize];
+    let (mut done, mut error) = (0, f32::INFINITY);
+    loop {
+        let count = stop.next_round(done, largest, error, start.elapsed());
+        if count == 0 {
+            break;
+        }
+        let tasks = sums.len().div_ceil(TASK);
+        let report = |finished: usize| {
+            let step = (finished * 100 / tasks) != ((finished - 1) * 100 / tasks);
+            if step {
+                let done = done as f32 + count as f32 * finished as f32 / tasks as f32;
+                progress(stop.progress(done, largest, start.elapsed()));
+            }
+        };
+        let finished = AtomicUsize::new(0);
+        sums.par_chunks_mut(TASK)
+            .enumerate()
+            .for_each(|(task, sums)| {
+                let first = task * TASK;
+                let index = first / REPLICATES as usize;
+                if let Some(point) = points.get(index) {
+                    let gather = estimator.gather(&point, quantity);
+                    for (offset, sum) in sums.iter_mut().enumerate() {
+                        let stream = hash(seed ^ hash((first + offset) as u64)) as u32;
+                        *sum += match &gather {
+                            Some(gather) => (done..done + count)
+                                .map(|i| {
+                                    estimator.sample(gather, Sample::new(i, stream)).as_dvec3()
+                                })
+                                .sum(),
+                            None => DVec3::NAN,
+                        };
+                    }
+                }
+                report(finished.fetch_add(1, Ordering::Relaxed) + 1);
+            });
+        done += count;
+        if stop.relative_error.is_some() {
+            error = relative_error(&sums, done);
+        }
+    }
+    traced(points.len(), &sums, done)
+}
+
+/// Mean over the replicates of a point and its standard error.
+fn statistics(sums: &[DVec3], samples: u32) -> (DVec3, DVec3) {
+    let replicates = f64::from(REPLICATES);
+    let scale = 1.0 / f64::from(samples);
+    let mean = sums.iter().sum::<DVec3>() * scale / replicates;
+    let squared = |v: DVec3| v * v;
+    let squares: DVec3 = sums.iter().map(|&s| squared(s * scale - mean)).sum();
+    let variance = squares / (replicates * (replicates - 1.0)) * STUDENT_AT_4_SIGMA.powi(2);
+    (mean, (variance + squared(mean * FLOOR)).map(f64::sqrt))
+}
+
+/// Root of Σ standard error² over Σ estimate²; points that are not numbers are left out.
+fn relative_error(sums: &[DVec3], samples: u32) -> f32 {
+    let (mut errors, mut squares) = (0.0, 0.0);
+    for replicates in sums.chunks(REPLICATES as usize) {
+        let (mean, error) = statistics(replicates, samples);
+        if mean.is_finite() && error.is_finite() {
+            errors += error.length_squared();
+            squares += mean.length_squared();
+        }
+    }
+    if errors == 0.0 {
+        0.0
+    } else {
+        (errors / squares).sqrt() as f32
+    }
+}
+
+fn traced(points: usize, sums: &[DVec3], samples: u32) -> Traced {
+    let mut mean = Estimate::new(points);
+    let mut standard_error = Estimate::new(points);
+    for (index, replicates) in sums.chunks(REPLICATES as usize).enumerate() {
+        let (value, error) = statistics(replicates, samples);
+        mean.set(index, value.as_vec3());
+        standard_error.set(index, error.as_vec3());
+    }
+    Traced {
+        mean,
+        standard_error,
+        samples: samples * REPLICATES,
+    }
+}

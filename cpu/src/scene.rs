@@ -1,0 +1,296 @@
+//! A scene as the CPU sees it: triangles, ray queries and surface properties.
+
+use crate::{
+    bvh::{Bvh, Hit},
+    path_tracer::emitters::Emitters,
+};
+use glam::{DVec3, Vec3};
+use interreflect_scene::{Material, Mesh, Object, Role, Scene};
+use std::sync::OnceLock;
+
+/// Largest coordinate that ray queries take; areas of boxes must not overflow f32.
+const LARGEST_COORDINATE: f32 = 1e15;
+/// Rays that leave a surface start this far from it, relative to the largest coordinate.
+const RAY_START: f64 = 1e-8;
+
+/// Why a scene can't be taken over by the CPU backend.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum CpuError {
+    /// A mesh contradicts itself.
+    #[error("object `{object}`: {what}; export the mesh again or remove it")]
+    Mesh {
+        /// Name of the object.
+        object: String,
+        /// What is wrong, with the index and the value.
+        what: String,
+    },
+    /// The meshes are too big for 32-bit indices.
+    #[error(
+        "the scene has {triangles} triangles, at most {} are possible; simplify it",
+        u32::MAX
+    )]
+    TooManyTriangles {
+        /// Triangles in all meshes.
+        triangles: usize,
+    },
+    /// The environment's image contradicts itself.
+    #[error("the environment's {width}×{height} image has {texels} texels; load it again")]
+    Environment {
+        /// Columns.
+        width: u32,
+        /// Rows.
+        height: u32,
+        /// Texels that are there.
+        texels: usize,
+    },
+}
+
+/// A scene with ray queries. The tree over all objects is built when it is first asked for, and
+/// never if there is no receiver.
+#[derive(Debug)]
+pub struct CpuScene {
+    scene: Scene,
+    environment: Geometry,
+    everything: OnceLock<Geometry>,
+    has_receivers: bool,
+}
+
+/// Triangles of some of the scene's objects with a tree over them.
+#[derive(Debug)]
+pub struct Geometry {
+    bvh: Bvh,
+    /// Indices of the objects and the soup's index of their first triangle.
+    objects: Vec<(u32, u32)>,
+    /// Largest coordinate in metres.
+    reach: f32,
+    emitters: Emitters,
+}
+
+/// A surface that a ray met.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SurfaceHit {
+    /// Distance from the ray's origin in metres, for a unit direction.
+    pub distance: f64,
+    /// Position in metres.
+    pub position: DVec3,
+    /// Unit normal of the triangle, turned to the side that the ray came from.
+    pub geometric_normal: Vec3,
+    /// Interpolated unit normal, turned along with the geometric one.
+    pub shading_normal: Vec3,
+    /// Whether the ray met the front side, the one that emits.
+    pub front: bool,
+    /// The material.
+    pub material: Material,
+    /// Index of the triangle in its [`Geometry`].
+    pub triangle: u32,
+}
+
+impl CpuScene {
+    /// Takes over a scene and builds the tree over its environment objects.
+    ///
+    /// # Errors
+    /// [`CpuError`] if indices, lengths or coordinates of a mesh, or the environment's size, are
+    /// out of range. A scene that was loaded has been checked for this.
+    pub fn new(scene: &Scene) -> Result<Self, CpuError> {
+        check(scene)?;
+        Ok(Self {
+            scene: scene.clone(),
+            environment: Geometry::new(scene, |role| role == Role::Environment),
+            everything: OnceLock::new(),
+            has_receivers: scene
+                .objects_of(Role::Receiver)
+                .any(|o| !o.mesh.triangles.is_empty()),
+        })
+    }
+
+    /// The scene that this was made of.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// The environment objects: what captures see.
+    pub fn environment_objects(&self) -> &Geometry {
+        &self.environment
+    }
+
+    /// Environment objects and receivers. The first call builds their tree.
+    pub fn all_objects(&self) -> &Geometry {
+        if !self.has_receivers {
+            return &self.environment;
+        }
+        self.everything
+            .get_or_init(|| Geometry::new(&self.scene, |_| true))
+    }
+
+    /// Nearest surface of some objects along origin + t·direction (a unit vector), t > `t_min`.
+    pub fn closest(
+        &self,
+        objects: &Geometry,
+        origin: DVec3,
+        direction: Vec3,
+        t_min: f64,
+    ) -> Option<SurfaceHit> {
+        let direction = direction.as_dvec3();
+        objects
+            .bvh
+            .closest(origin, direction, t_min, f64::INFINITY)
+            .map(|hit| self.surface(objects, origin, direction, hit))
+    }
+
+    /// What a ray met, from the hit of a tree of this scene.
+    pub fn surface(
+        &self,
+        objects: &Geometry,
+        origin: DVec3,
+        direction: DVec3,
+        hit: Hit,
+    ) -> SurfaceHit {
+        let (mesh, local) = objects.locate(&self.scene, hit.triangle);
+        let normal = geometric_normal(mesh.corners(local));
+        let front = normal.as_dvec3().dot(direction) < 0.0;
+        let side = if front { 1.0 } else { -1.0 };
+        SurfaceHit {
+            distance: hit.distance,
+            position: origin + direction * hit.distance,
+            geometric_normal: normal * side,
+            shading_normal: shading_normal(mesh, local, hit.barycentric).unwrap_or(normal) * side,
+            front,
+            material: self.scene.materials[mesh.materials[local] as usize],
+            triangle: hit.triangle,
+        }
+    }
+}
+
+impl Geometry {
+    fn new(scene: &Scene, wanted: impl Fn(Role) -> bool) -> Self {
+        let mut soup = Vec::new();
+        let mut objects = Vec::new();
+        for (index, object) in scene.objects.iter().enumerate() {
+            let mesh = &object.mesh;
+            if wanted(object.role) && !mesh.triangles.is_empty() {
+                objects.push((index as u32, soup.len() as u32));
+                soup.extend((0..mesh.triangles.len()).map(|t| mesh.corners(t)));
+            }
+        }
+        let reach =
+            (soup.iter().flatten()).fold(0.0_f32, |m, c: &Vec3| m.max(c.abs().max_element()));
+        let mut geometry = Self {
+            bvh: Bvh::new(&soup),
+            objects,
+            reach,
+            emitters: Emitters::default(),
+        };
+        geometry.emitters = Emitters::new(scene, &soup, |triangle| {
+            let (mesh, local) = geometry.locate(scene, triangle);
+            scene.materials[mesh.materials[local] as usize].emission
+        });
+        geometry
+    }
+
+    /// The tree over the triangles.
+    pub fn bvh(&self) -> &Bvh {
+        &self.bvh
+    }
+
+    /// Smallest ray parameter at which a ray that starts on a surface may meet another.
+    pub fn ray_start(&self) -> f64 {
+        RAY_START * f64::from(self.reach)
+    }
+
+    /// Largest coordinate of any corner, in metres.
+    pub fn reach(&self) -> f32 {
+        self.reach
+    }
+
+    /// The triangles that emit, and the environment map: what can be sampled as a light.
+    pub(crate) fn emitters(&self) -> &Emitters {
+        &self.emitters
+    }
+
+    /// Whether something lies between a surface point and `distance` along a unit direction.
+    /// What touches either end does not count.
+    pub fn occluded(&self, origin: DVec3, direction: DVec3, distance: f64) -> bool {
+        let end = distance * (1.0 - 1e-6);
+        self.bvh.occluded(origin, direction, self.ray_start(), end)
+    }
+
+    /// The mesh of a triangle and the triangle's index there.
+    fn locate<'a>(&self, scene: &'a Scene, triangle: u32) -> (&'a Mesh, usize) {
+        let at = self
+            .objects
+            .partition_point(|&(_, first)| first <= triangle)
+            - 1;
+        let (object, first) = self.objects[at];
+        (
+            &scene.objects[object as usize].mesh,
+            (triangle - first) as usize,
+        )
+    }
+}
+
+/// Unit normal of the front side; zero without an area.
+pub(crate) fn geometric_normal([a, b, c]: [Vec3; 3]) -> Vec3 {
+    let (ab, ac) = ((b - a).as_dvec3(), (c - a).as_dvec3());
+    ab.cross(ac).normalize_or_zero().as_vec3()
+}
+
+fn shading_normal(mesh: &Mesh, triangle: usize, barycentric: [f64; 3]) -> Option<Vec3> {
+    if mesh.normals.is_empty() {
+        return None;
+    }
+    let sum: Vec3 = mesh.triangles[triangle]
+        .iter()
+        .zip(barycentric)
+        .map(|(&v, weight)| mesh.normals[v as usize] * weight as f32)
+        .sum();
+    sum.try_normalize()
+}
+
+fn check(scene: &Scene) -> Result<(), CpuError> {
+    let triangles = scene.objects.iter().map(|o| o.mesh.triangles.len()).sum();
+    if triangles >= u32::MAX as usize {
+        return Err(CpuError::TooManyTriangles { triangles });
+    }
+    for object in &scene.objects {
+        check_mesh(object, scene.materials.len()).map_err(|what| CpuError::Mesh {
+            object: object.name.clone(),
+            what,
+        })?;
+    }
+    if let Some(environment) = &scene.environment {
+        let image = &environment.image;
+        let texels = image.texels.len();
+        if texels == 0 || texels != image.width as usize * image.height as usize {
+            return Err(CpuError::Environment {
+                width: image.width,
+                height: image.height,
+                texels,
+            });
+        }
+    }
+    Ok(())
+}
+
+fn check_mesh(object: &Object, materials: usize) -> Result<(), String> {
+    let mesh = &object.mesh;
+    let vertices = mesh.positions.len();
+    if !mesh.normals.is_empty() && mesh.normals.len() != vertices {
+        let normals = mesh.normals.len();
+        return Err(format!("{normals} normals for {vertices} vertices"));
+    }
+    if mesh.materials.len() != mesh.triangles.len() {
+        let (m, t) = (mesh.materials.len(), mesh.triangles.len());
+        return Err(format!("{m} materials for {t} triangles"));
+    }
+    if let Some(m) = mesh.materials.iter().find(|&&m| m as usize >= materials) {
+        return Err(format!("material {m} of {materials}"));
+    }
+    if let Some(v) = (mesh.triangles.iter().flatten()).find(|&&v| v as usize >= vertices) {
+        return Err(format!("a triangle refers to vertex {v} of {vertices}"));
+    }
+    let inside = |p: &Vec3| p.is_finite() && p.abs().max_element() <= LARGEST_COORDINATE;
+    match mesh.positions.iter().position(|p| !inside(p)) {
+        Some(i) => Err(format!("vertex {i} lies at {}", mesh.positions[i])),
+        None => Ok(()),
+    }
+}

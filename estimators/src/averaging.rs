@@ -1,0 +1,87 @@
+//! Averaging a captured cube down to fewer texels.
+
+use glam::{DVec3, Vec3};
+use interreflect_scene::CubeImage;
+use interreflect_scene::conventions::texel_index;
+
+/// Solid angles in sr of the texels of one face of `size`² texels, row by row; the other faces'
+/// are the same.
+///
+/// As [`interreflect_scene::conventions::texel_solid_angle_sr`], with each corner computed once.
+pub(crate) fn face_solid_angles_sr(size: u32) -> Vec<f32> {
+    let n = size as usize;
+    let edge = |i: usize| 2.0 * i as f64 / f64::from(size) - 1.0;
+    let corner = |i: usize, j: usize| {
+        let (a, b) = (edge(i), edge(j));
+        (a * b).atan2((a * a + b * b + 1.0).sqrt())
+    };
+    let mut above: Vec<f64> = (0..=n).map(|i| corner(i, 0)).collect();
+    let mut omegas_sr = Vec::with_capacity(n * n);
+    for j in 1..=n {
+        let below: Vec<f64> = (0..=n).map(|i| corner(i, j)).collect();
+        for i in 0..n {
+            omegas_sr.push((below[i + 1] - below[i] - above[i + 1] + above[i]) as f32);
+        }
+        above = below;
+    }
+    omegas_sr
+}
+
+/// Captured texels (index on the face, index in the cube) on a face of `size`² that one of m×m
+/// texels covers. `size` is a multiple of `m`.
+pub(crate) fn covered(
+    m: u32,
+    size: u32,
+    face: usize,
+    column: u32,
+    row: u32,
+) -> impl Iterator<Item = (usize, usize)> {
+    let step = size / m;
+    let face_start = texel_index(size, face, 0, 0);
+    (row * step..(row + 1) * step).flat_map(move |r| {
+        (column * step..(column + 1) * step).map(move |c| {
+            let on_face = texel_index(size, 0, c, r);
+            (on_face, face_start + on_face)
+        })
+    })
+}
+
+/// Mean radiance of one of m×m texels, weighted by the exact solid angles of what it covers:
+/// `omegas_sr` is [`face_solid_angles_sr`] of the captured size.
+pub(crate) fn mean_radiance(
+    captured: &CubeImage,
+    omegas_sr: &[f32],
+    m: u32,
+    face: usize,
+    column: u32,
+    row: u32,
+) -> Vec3 {
+    let (mut radiance, mut total) = (DVec3::ZERO, 0.0);
+    for (on_face, index) in covered(m, captured.size, face, column, row) {
+        let omega_sr = f64::from(omegas_sr[on_face]);
+        radiance += captured.radiance[index].as_dvec3() * omega_sr;
+        total += omega_sr;
+    }
+    (radiance / total).as_vec3()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use interreflect_scene::conventions::texel_solid_angle_sr;
+
+    #[test]
+    fn solid_angles_are_those_of_the_conventions() {
+        for size in [1, 2, 7, 64] {
+            let omegas_sr = face_solid_angles_sr(size);
+            for row in 0..size {
+                for column in 0..size {
+                    let exact = texel_solid_angle_sr(size, column, row);
+                    let ours = f64::from(omegas_sr[texel_index(size, 0, column, row)]);
+                    // One rounding to float32.
+                    assert!((ours / exact - 1.0).abs() < 1e-7, "{size} {column} {row}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,179 @@
+//! The two backends, and what an estimator is given on them.
+
+use crate::error::EstimatorError;
+use glam::Vec3;
+use interreflect_cpu::{scene::CpuScene, tiles::CpuCx};
+use interreflect_gpu::{GpuContext, GpuCube, GpuCx, GpuEstimate, GpuPoints};
+use interreflect_scene::{CubeImage, CubeSpec, Estimate, Needs, Points, SceneFacts};
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::ops::BitOr;
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for super::Cpu {}
+    impl Sealed for super::Gpu {}
+}
+
+/// Where an estimator runs.
+pub trait Backend: sealed::Sealed + Copy + Send + Sync + 'static {
+    /// Name on the command line and in records.
+    const NAME: &'static str;
+    /// What varies from machine to machine.
+    type Caps;
+    /// What an estimator runs with: threads, or an open command encoder.
+    type Cx<'c>;
+    /// A captured cube.
+    type Cube;
+    /// The shaded points.
+    type Points;
+    /// Where the estimate goes.
+    type Out;
+    /// Access to full light transport.
+    type Transport;
+}
+
+/// The CPU backend.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Cpu;
+
+/// The GPU backend.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Gpu;
+
+impl Backend for Cpu {
+    const NAME: &'static str = "cpu";
+    type Caps = ();
+    type Cx<'c> = &'c CpuCx;
+    type Cube = CubeImage;
+    type Points = Points;
+    type Out = Estimate;
+    type Transport = CpuScene;
+}
+
+impl Backend for Gpu {
+    const NAME: &'static str = "gpu";
+    type Caps = GpuContext;
+    type Cx<'c> = GpuCx;
+    type Cube = GpuCube;
+    type Points = GpuPoints;
+    type Out = GpuEstimate;
+    type Transport = std::convert::Infallible;
+}
+
+/// The captures that were made for one or several methods, by the specs that asked for them.
+pub struct Captures<B: Backend> {
+    /// Cube maps around the reference point.
+    pub cubes: BTreeMap<CubeSpec, B::Cube>,
+    /// Ray queries in the whole scene.
+    pub transport: Option<std::sync::Arc<B::Transport>>,
+}
+
+impl<B: Backend> Default for Captures<B> {
+    fn default() -> Self {
+        Self {
+            cubes: BTreeMap::new(),
+            transport: None,
+        }
+    }
+}
+
+/// What changed since a session's last `prepare`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Changed(u8);
+
+impl Changed {
+    /// The method's parameters.
+    pub const PARAMS: Self = Self(1);
+    /// What the captures hold: geometry, materials, lights or environment.
+    pub const CAPTURES: Self = Self(2);
+    /// The points, or where their estimate goes.
+    pub const POINTS: Self = Self(4);
+    /// Everything: the first call.
+    pub const ALL: Self = Self(7);
+
+    /// Whether any of `what` changed.
+    pub fn any(self, what: Self) -> bool {
+        self.0 & what.0 != 0
+    }
+}
+
+impl BitOr for Changed {
+    type Output = Self;
+    fn bitor(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+}
+
+/// One method's own view of a frame: only what it declared can be read.
+pub struct Inputs<'a, B: Backend> {
+    /// What the method declared.
+    pub declared: &'a Needs,
+    captures: &'a Captures<B>,
+    read: RefCell<Needs>,
+    /// The points, where the backend reads them.
+    pub points: &'a B::Points,
+    /// The same points on the host.
+    pub host_points: &'a Points,
+    /// Reference point `o` of the cube captures.
+    pub reference_point: Vec3,
+    /// What the method was told of the scene when it declared its needs.
+    pub scene: SceneFacts,
+    /// What changed since the session's last `prepare`.
+    pub changed: Changed,
+}
+
+impl<'a, B: Backend> Inputs<'a, B> {
+    /// A view of `captures` that shows what `declared` names and nothing else.
+    pub fn new(
+        declared: &'a Needs,
+        captures: &'a Captures<B>,
+        points: &'a B::Points,
+        host_points: &'a Points,
+        (scene, reference_point): (SceneFacts, Vec3),
+        changed: Changed,
+    ) -> Self {
+        Self {
+            declared,
+            captures,
+            read: RefCell::default(),
+            points,
+            host_points,
+            reference_point,
+            scene,
+            changed,
+        }
+    }
+
+    /// A cube capture.
+    ///
+    /// # Errors
+    /// [`EstimatorError::Undeclared`] if `needs` did not name it.
+    pub fn cube(&self, spec: &CubeSpec) -> Result<&'a B::Cube, EstimatorError> {
+        if !self.declared.cubes.contains(spec) {
+            return Err(EstimatorError::Undeclared(EstimatorError::cube(spec)));
+        }
+        self.read.borrow_mut().cubes.insert(*spec);
+        let found = self.captures.cubes.get(spec);
+        found.ok_or_else(|| EstimatorError::Missing(EstimatorError::cube(spec)))
+    }
+
+    /// Full light transport in the whole scene.
+    ///
+    /// # Errors
+    /// [`EstimatorError::Undeclared`] if `needs` did not ask for it.
+    pub fn light_transport(&self) -> Result<&'a B::Transport, EstimatorError> {
+        let name = || "light transport".to_owned();
+        if !self.declared.light_transport {
+            return Err(EstimatorError::Undeclared(name()));
+        }
+        self.read.borrow_mut().light_transport = true;
+        let found = self.captures.transport.as_deref();
+        found.ok_or_else(|| EstimatorError::Missing(name()))
+    }
+
+    /// What has been read so far: conformance compares it with what was declared.
+    pub fn read(&self) -> Needs {
+        self.read.borrow().clone()
+    }
+}

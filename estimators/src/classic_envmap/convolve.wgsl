@@ -1,0 +1,48 @@
+// The convolved maps, one invocation a node: E(n) = Σ L·(n·Ω)⁺ or the Phong-filtered radiance.
+
+struct Convolve {
+    // Nodes of a map, and texels to sum over.
+    nodes: u32,
+    sources: u32,
+    // First node to write.
+    first: u32,
+    exponent: f32,
+}
+
+@group(0) @binding(0) var<uniform> convolve: Convolve;
+@group(0) @binding(1) var<storage, read> sources: array<Source>;
+@group(0) @binding(2) var<storage, read> directions: array<vec4f>;
+@group(0) @binding(3) var<storage, read_write> maps: array<vec4f>;
+
+@compute @workgroup_size(64)
+fn convolve_cosine(@builtin(global_invocation_id) id: vec3u) {
+    if id.x >= convolve.nodes {
+        return;
+    }
+    let n = directions[id.x].xyz;
+    var sum = vec3f(0.0);
+    for (var k = 0u; k < convolve.sources; k++) {
+        sum += sources[k].radiance * cosine_weight(n, sources[k].vector);
+    }
+    maps[convolve.first + id.x] = vec4f(sum, 0.0);
+}
+
+@compute @workgroup_size(64)
+fn convolve_phong(@builtin(global_invocation_id) id: vec3u) {
+    if id.x >= convolve.nodes {
+        return;
+    }
+    let r = directions[id.x].xyz;
+    var cos_max = 0.0;
+    for (var k = 0u; k < convolve.sources; k++) {
+        cos_max = max(cos_max, dot(r, sources[k].vector) / length(sources[k].vector));
+    }
+    var sum = vec4f(0.0);
+    for (var k = 0u; k < convolve.sources; k++) {
+        let omega_sr = length(sources[k].vector);
+        let cos_theta = dot(r, sources[k].vector) / omega_sr;
+        let weight = omega_sr * phong_weight(cos_theta, cos_max, convolve.exponent);
+        sum += vec4f(sources[k].radiance, 1.0) * weight;
+    }
+    maps[convolve.first + id.x] = vec4f(sum.rgb / sum.w, 0.0);
+}

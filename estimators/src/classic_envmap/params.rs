@@ -1,0 +1,56 @@
+use interreflect_scene::params::{Field, Params};
+
+/// Parameters of [`super::ClassicEnvmap`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct ClassicEnvmapParams {
+    /// Texels along a face's edge that the convolution sums over.
+    pub resolution: u32,
+    /// Texels along a face's edge when the environment is captured.
+    pub capture_resolution: u32,
+    /// Cells along a face's edge of the convolved maps.
+    pub map_resolution: u32,
+}
+
+impl Default for ClassicEnvmapParams {
+    fn default() -> Self {
+        Self {
+            resolution: 32,
+            capture_resolution: 256,
+            map_resolution: 32,
+        }
+    }
+}
+
+impl Params for ClassicEnvmapParams {
+    fn fields() -> Vec<Field<Self>> {
+        vec![
+            Field::u32(
+                "resolution",
+                "texels along a face's edge that the convolution sums over",
+                1..=128,
+                |p: &Self| p.resolution,
+                |p, v| p.resolution = v,
+            )
+            .unit("texels")
+            .log(),
+            Field::u32(
+                "capture_resolution",
+                "texels along a face's edge when the environment is captured",
+                1..=2048,
+                |p: &Self| p.capture_resolution,
+                |p, v| p.capture_resolution = v,
+            )
+            .unit("texels")
+            .log(),
+            Field::u32(
+                "map_resolution",
+                "cells along a face's edge of the convolved maps",
+                1..=256,
+                |p: &Self| p.map_resolution,
+                |p, v| p.map_resolution = v,
+            )
+            .unit("cells")
+            .log(),
+        ]
+    }
+}

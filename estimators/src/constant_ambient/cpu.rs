@@ -1,0 +1,76 @@
+//! Constant ambient light on the CPU.
+
+use super::math::{ambient_irradiance, ambient_reflection};
+use super::{ConstantAmbient, ConstantAmbientParams};
+use crate::averaging::{face_solid_angles_sr, mean_radiance};
+use crate::{Cpu, Estimator, EstimatorError, Inputs, Quantity};
+use glam::Vec3;
+use interreflect_cpu::lane::{WIDTH, Wide};
+use interreflect_cpu::tiles::{CpuCx, PointLanes, TileKernel};
+use interreflect_scene::conventions::CUBE_FACES;
+use interreflect_scene::{Estimate, PointLayout};
+
+/// The mean radiance, kept across frames.
+#[derive(Default)]
+pub struct State {
+    radiance: Vec3,
+}
+
+impl Estimator<Cpu> for ConstantAmbient {
+    type State = State;
+
+    fn prepare(
+        params: &ConstantAmbientParams,
+        state: &mut State,
+        _cx: &mut &CpuCx,
+        _quantity: Quantity,
+        inputs: &Inputs<'_, Cpu>,
+        _out: &Estimate,
+    ) -> Result<(), EstimatorError> {
+        let captured = inputs.cube(&params.captured())?;
+        let omegas_sr = face_solid_angles_sr(captured.size);
+        let face = |face| mean_radiance(captured, &omegas_sr, 1, face, 0, 0);
+        state.radiance = (0..CUBE_FACES).map(face).sum::<Vec3>() / CUBE_FACES as f32;
+        Ok(())
+    }
+
+    fn shade(
+        _params: &ConstantAmbientParams,
+        state: &mut State,
+        cx: &mut &CpuCx,
+        quantity: Quantity,
+        inputs: &Inputs<'_, Cpu>,
+        out: &mut Estimate,
+    ) -> Result<(), EstimatorError> {
+        let radiance = state.radiance.to_array();
+        match quantity {
+            Quantity::GlossyRadiance => cx.for_each_tile(inputs.points, out, &Glossy(radiance)),
+            _ => cx.for_each_tile(inputs.points, out, &Diffuse(radiance)),
+        }
+        Ok(())
+    }
+}
+
+struct Diffuse([f32; 3]);
+
+impl TileKernel for Diffuse {
+    #[inline(always)]
+    fn shade(&self, _points: &PointLanes<'_>) -> [Wide; 3] {
+        self.0.map(|radiance| ambient_irradiance(Wide([radiance; WIDTH])))
+    }
+}
+
+struct Glossy([f32; 3]);
+
+impl TileKernel for Glossy {
+    #[inline(always)]
+    fn shade(&self, points: &PointLanes<'_>) -> [Wide; 3] {
+        std::array::from_fn(|c| {
+            ambient_reflection(
+                points.plane(PointLayout::DIFFUSE + c),
+                points.plane(PointLayout::SPECULAR + c),
+                Wide([self.0[c]; WIDTH]),
+            )
+        })
+    }
+}

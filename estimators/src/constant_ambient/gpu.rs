@@ -1,0 +1,75 @@
+//! Constant ambient light on the GPU.
+
+use super::{ConstantAmbient, ConstantAmbientParams};
+use crate::averaging::face_solid_angles_sr;
+use crate::{Estimator, EstimatorError, Gpu, Inputs, Quantity};
+use interreflect_gpu::{GpuCx, GpuEstimate, Kernel, Shader, wgsl};
+
+const AVERAGE: Shader = Shader {
+    label: "constant_ambient average",
+    parts: &[wgsl::CUBE, include_str!("average.wgsl")],
+};
+
+const SHADE: Shader = Shader {
+    label: "constant_ambient shade",
+    parts: &[
+        wgsl::MATH,
+        wgsl::POINTS,
+        include_str!("math.wgsl"),
+        include_str!("shade.wgsl"),
+    ],
+};
+
+/// The kernel with its bindings, kept across frames.
+#[derive(Default)]
+pub struct State {
+    shade: Option<Kernel>,
+}
+
+impl Estimator<Gpu> for ConstantAmbient {
+    type State = State;
+
+    const SHADERS: &'static [Shader] = &[AVERAGE, SHADE];
+
+    fn prepare(
+        params: &ConstantAmbientParams,
+        state: &mut State,
+        cx: &mut GpuCx,
+        quantity: Quantity,
+        inputs: &Inputs<'_, Gpu>,
+        out: &GpuEstimate,
+    ) -> Result<(), EstimatorError> {
+        let captured = inputs.cube(&params.captured())?;
+        let missing = || EstimatorError::Missing("the radiance of the captured cube".into());
+        let radiance = captured.radiance_distance().ok_or_else(missing)?;
+        let context = cx.context().clone();
+        let omegas_sr = face_solid_angles_sr(captured.spec().size);
+        let omegas_sr = context.storage("constant_ambient solid angles", &omegas_sr)?;
+        let mean = context.storage_zeroed("constant_ambient mean", 16)?;
+        let bindings = [radiance.into(), (&omegas_sr).into(), (&mean).into()];
+        let average = context.kernel(&AVERAGE, "mean_radiance", &bindings)?;
+        average.record(cx, [1, 1, 1]);
+
+        let [points, info, estimate] = inputs.points.bindings(out);
+        let bindings = [points, info, estimate, (&mean).into()];
+        let entry = match quantity {
+            Quantity::GlossyRadiance => "glossy",
+            _ => "irradiance",
+        };
+        state.shade = Some(context.kernel(&SHADE, entry, &bindings)?);
+        Ok(())
+    }
+
+    fn shade(
+        _params: &ConstantAmbientParams,
+        state: &mut State,
+        cx: &mut GpuCx,
+        _quantity: Quantity,
+        inputs: &Inputs<'_, Gpu>,
+        _out: &mut GpuEstimate,
+    ) -> Result<(), EstimatorError> {
+        let shade = state.shade.as_ref().ok_or(EstimatorError::Unprepared)?;
+        shade.record(cx, inputs.points.workgroups());
+        Ok(())
+    }
+}

@@ -1,0 +1,55 @@
+//! Constant ambient light: the mean radiance seen from the reference point arrives from
+//! everywhere. The simplest estimator there is, and the template for a new one.
+
+mod cpu;
+mod gpu;
+pub mod math;
+mod params;
+
+use crate::{Info, Method, OwnModel, Quantity, Unsupported};
+use interreflect_scene::{CubeChannels, CubeSpec, Needs, SceneFacts};
+
+pub use params::ConstantAmbientParams;
+
+/// The method.
+pub struct ConstantAmbient;
+
+impl Method for ConstantAmbient {
+    type Params = ConstantAmbientParams;
+
+    const INFO: Info = Info {
+        id: "constant_ambient",
+        title: "Constant ambient light",
+        source: "The ambient term of local illumination models, with its value measured",
+    };
+
+    const QUANTITIES: &'static [Quantity] = &[Quantity::Irradiance, Quantity::GlossyRadiance];
+
+    fn needs(
+        params: &Self::Params,
+        _quantity: Quantity,
+        _scene: &SceneFacts,
+    ) -> Result<Needs, Unsupported> {
+        Ok(Needs {
+            cubes: [params.captured()].into(),
+            light_transport: false,
+        })
+    }
+
+    fn model(_params: &Self::Params, _quantity: Quantity) -> OwnModel {
+        OwnModel::MeanRadiance
+    }
+}
+
+impl ConstantAmbientParams {
+    /// The captured cube.
+    fn captured(&self) -> CubeSpec {
+        CubeSpec {
+            size: self.capture_resolution,
+            channels: CubeChannels {
+                radiance: true,
+                ..CubeChannels::default()
+            },
+        }
+    }
+}

@@ -1,0 +1,32 @@
+use interreflect_scene::params::{Field, Params};
+
+/// Parameters of [`super::ConstantAmbient`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct ConstantAmbientParams {
+    /// Texels along a face's edge when the environment is captured.
+    pub capture_resolution: u32,
+}
+
+impl Default for ConstantAmbientParams {
+    fn default() -> Self {
+        Self {
+            capture_resolution: 64,
+        }
+    }
+}
+
+impl Params for ConstantAmbientParams {
+    fn fields() -> Vec<Field<Self>> {
+        vec![
+            Field::u32(
+                "capture_resolution",
+                "texels along a face's edge when the environment is captured",
+                1..=1024,
+                |p: &Self| p.capture_resolution,
+                |p, v| p.capture_resolution = v,
+            )
+            .unit("texels")
+            .log(),
+        ]
+    }
+}

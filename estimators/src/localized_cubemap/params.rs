@@ -1,0 +1,73 @@
+use interreflect_scene::params::{Choice, Fidelity, Field, Params};
+
+/// Which of the paper's two formulas gives a texel's solid angle seen from the reference point.
+/// Read by `published` only; `corrected` uses the exact solid angle.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum SolidAngle {
+    /// 4/(M²l³ + 4/π), as in the text.
+    #[default]
+    Text,
+    /// 4/(M²l² + 4/π), as in the shader.
+    Shader,
+}
+
+impl Choice for SolidAngle {
+    const ALL: &'static [(&'static str, Self)] = &[("text", Self::Text), ("shader", Self::Shader)];
+}
+
+/// Parameters of [`super::LocalizedCubemap`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct LocalizedCubemapParams {
+    /// M: texels along a face's edge that shading sums over.
+    pub resolution: u32,
+    /// Texels along a face's edge when the environment is captured.
+    pub capture_resolution: u32,
+    /// The paper as printed, or what it meant.
+    pub fidelity: Fidelity,
+    /// Which published solid angle.
+    pub solid_angle: SolidAngle,
+}
+
+impl Default for LocalizedCubemapParams {
+    fn default() -> Self {
+        Self {
+            resolution: 4,
+            capture_resolution: 256,
+            fidelity: Fidelity::Published,
+            solid_angle: SolidAngle::Text,
+        }
+    }
+}
+
+impl Params for LocalizedCubemapParams {
+    fn fields() -> Vec<Field<Self>> {
+        vec![
+            Field::u32(
+                "resolution",
+                "texels along a face's edge that shading sums over",
+                1..=64,
+                |p: &Self| p.resolution,
+                |p, v| p.resolution = v,
+            )
+            .symbol("M")
+            .unit("texels")
+            .log(),
+            Field::u32(
+                "capture_resolution",
+                "texels along a face's edge when the environment is captured",
+                1..=2048,
+                |p: &Self| p.capture_resolution,
+                |p, v| p.capture_resolution = v,
+            )
+            .unit("texels")
+            .log(),
+            Field::fidelity(|p: &Self| p.fidelity, |p, v| p.fidelity = v),
+            Field::choice(
+                "solid_angle",
+                "published only: the solid angle of the text (l³) or of the shader (l²)",
+                |p: &Self| p.solid_angle,
+                |p, v| p.solid_angle = v,
+            ),
+        ]
+    }
+}

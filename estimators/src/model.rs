@@ -1,0 +1,20 @@
+//! What a method claims to compute, apart from how well it does.
+
+use interreflect_cpu::path_tracer::LightPaths;
+
+/// The quantity's value to which a method would converge if its own assumptions were true.
+///
+/// Every estimate is compared with its own model (how well it computes what it sets out to) and
+/// with full light transport (what the model leaves out). Both fidelities of a method share one
+/// model and the normalised reflectance of the `corrected` form, so an erratum shows as an error.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum OwnModel {
+    /// The mean radiance that is seen from the reference point arrives from everywhere.
+    MeanRadiance,
+    /// What is seen from the reference point, moved to infinity.
+    EnvironmentAtInfinity,
+    /// The surfaces visible from the reference point, at their place, all visible from the point.
+    VisibleFromReference,
+    /// Full light transport along these paths.
+    LightTransport(LightPaths),
+}

@@ -1,0 +1,284 @@
+//! The list of methods, and how their types are erased: one virtual call per prepare or shade.
+
+use crate::backend::{Backend, Cpu, Gpu, Inputs};
+use crate::error::{EstimatorError, Unsupported};
+use crate::method::{Estimator, Info, Method};
+use crate::model::OwnModel;
+use crate::quantity::Quantity;
+use interreflect_gpu::{GpuContext, Shader};
+use interreflect_scene::params::{self, FIDELITY, FieldInfo, ParamError, Value};
+use interreflect_scene::{Needs, SceneFacts};
+
+/// A method with its parameters, its types erased.
+pub trait Configured: Send + Sync {
+    /// What the method is called.
+    fn info(&self) -> &'static Info;
+    /// What it can estimate.
+    fn quantities(&self) -> &'static [Quantity];
+    /// Every parameter with its value.
+    fn values(&self) -> Vec<(FieldInfo, Value)>;
+    /// Sets a parameter by name.
+    ///
+    /// # Errors
+    /// [`ParamError`] if there is no such parameter or the text is not a value of it.
+    fn set(&mut self, name: &str, text: &str) -> Result<(), ParamError>;
+    /// See [`Method::needs`].
+    ///
+    /// # Errors
+    /// [`Unsupported`] if the method can't work there.
+    fn needs(&self, quantity: Quantity, scene: &SceneFacts) -> Result<Needs, Unsupported>;
+    /// See [`Method::model`].
+    fn model(&self, quantity: Quantity) -> OwnModel;
+    /// Starts a session on the CPU.
+    ///
+    /// # Errors
+    /// [`Unsupported`] if there is no CPU implementation, with the reason.
+    fn on_cpu(&self) -> Result<Box<dyn Session<Cpu>>, Unsupported>;
+    /// Starts a session on the GPU.
+    ///
+    /// # Errors
+    /// [`Unsupported`] if there is no GPU implementation, or not on this one, with the reason.
+    fn on_gpu(&self, context: &GpuContext) -> Result<Box<dyn Session<Gpu>>, Unsupported>;
+    /// A copy.
+    fn boxed_clone(&self) -> Box<dyn Configured>;
+
+    /// The value of the parameter [`FIDELITY`], for methods that have it.
+    fn fidelity(&self) -> Option<&'static str> {
+        self.values().into_iter().find_map(|(f, v)| match v {
+            Value::Name(name) if f.name == FIDELITY => Some(name),
+            _ => None,
+        })
+    }
+}
+
+/// A method that runs on one backend, with its state.
+pub trait Session<B: Backend>: Send {
+    /// See [`Estimator::prepare`].
+    ///
+    /// # Errors
+    /// [`EstimatorError`] as there.
+    fn prepare(
+        &mut self,
+        cx: &mut B::Cx<'_>,
+        quantity: Quantity,
+        inputs: &Inputs<'_, B>,
+        out: &B::Out,
+    ) -> Result<(), EstimatorError>;
+
+    /// See [`Estimator::shade`].
+    ///
+    /// # Errors
+    /// [`EstimatorError`] as there.
+    fn shade(
+        &mut self,
+        cx: &mut B::Cx<'_>,
+        quantity: Quantity,
+        inputs: &Inputs<'_, B>,
+        out: &mut B::Out,
+    ) -> Result<(), EstimatorError>;
+}
+
+struct Running<M: Estimator<B>, B: Backend> {
+    params: M::Params,
+    state: M::State,
+}
+
+impl<M: Estimator<B>, B: Backend> Running<M, B> {
+    fn open(params: M::Params, caps: &B::Caps) -> Result<Box<dyn Session<B>>, Unsupported> {
+        M::supports(&params, caps)?;
+        Ok(Box::new(Self {
+            params,
+            state: M::State::default(),
+        }))
+    }
+}
+
+impl<M: Estimator<B>, B: Backend> Session<B> for Running<M, B> {
+    fn prepare(
+        &mut self,
+        cx: &mut B::Cx<'_>,
+        quantity: Quantity,
+        inputs: &Inputs<'_, B>,
+        out: &B::Out,
+    ) -> Result<(), EstimatorError> {
+        M::prepare(&self.params, &mut self.state, cx, quantity, inputs, out)
+    }
+
+    fn shade(
+        &mut self,
+        cx: &mut B::Cx<'_>,
+        quantity: Quantity,
+        inputs: &Inputs<'_, B>,
+        out: &mut B::Out,
+    ) -> Result<(), EstimatorError> {
+        M::shade(&self.params, &mut self.state, cx, quantity, inputs, out)
+    }
+}
+
+type Open<M, B> =
+    fn(<M as Method>::Params, &<B as Backend>::Caps) -> Result<Box<dyn Session<B>>, Unsupported>;
+
+struct Typed<M: Method> {
+    params: M::Params,
+    cpu: Result<Open<M, Cpu>, &'static str>,
+    gpu: Result<Open<M, Gpu>, &'static str>,
+}
+
+impl<M: Method> Configured for Typed<M> {
+    fn info(&self) -> &'static Info {
+        &M::INFO
+    }
+    fn quantities(&self) -> &'static [Quantity] {
+        M::QUANTITIES
+    }
+    fn values(&self) -> Vec<(FieldInfo, Value)> {
+        params::values(&self.params)
+    }
+    fn set(&mut self, name: &str, text: &str) -> Result<(), ParamError> {
+        params::set(&mut self.params, name, text)
+    }
+    fn needs(&self, quantity: Quantity, scene: &SceneFacts) -> Result<Needs, Unsupported> {
+        if !M::QUANTITIES.contains(&quantity) {
+            let offered: Vec<_> = M::QUANTITIES.iter().map(|q| q.name()).collect();
+            return Err(Unsupported(format!(
+                "{} does not estimate {}; it offers {}",
+                M::INFO.id,
+                quantity.name(),
+                offered.join(", ")
+            )));
+        }
+        M::needs(&self.params, quantity, scene)
+    }
+    fn model(&self, quantity: Quantity) -> OwnModel {
+        M::model(&self.params, quantity)
+    }
+    fn on_cpu(&self) -> Result<Box<dyn Session<Cpu>>, Unsupported> {
+        let open = self.cpu.map_err(|why| Unsupported(why.into()))?;
+        open(self.params.clone(), &())
+    }
+    fn on_gpu(&self, context: &GpuContext) -> Result<Box<dyn Session<Gpu>>, Unsupported> {
+        let open = self.gpu.map_err(|why| Unsupported(why.into()))?;
+        open(self.params.clone(), context)
+    }
+    fn boxed_clone(&self) -> Box<dyn Configured> {
+        Box::new(Self {
+            params: self.params.clone(),
+            ..*self
+        })
+    }
+}
+
+/// A registered method.
+#[derive(Clone, Copy)]
+pub struct Entry {
+    info: &'static Info,
+    shaders: &'static [Shader],
+    make: fn() -> Box<dyn Configured>,
+}
+
+impl Entry {
+    /// A method with an implementation on each backend.
+    pub fn both<M: Estimator<Cpu> + Estimator<Gpu>>() -> Self {
+        Self {
+            info: &M::INFO,
+            shaders: <M as Estimator<Gpu>>::SHADERS,
+            make: || {
+                Box::new(Typed::<M> {
+                    params: M::Params::default(),
+                    cpu: Ok(Running::<M, Cpu>::open),
+                    gpu: Ok(Running::<M, Gpu>::open),
+                })
+            },
+        }
+    }
+
+    /// A method that runs on the CPU alone; it says why by itself when asked for more.
+    pub fn cpu_only<M: CpuOnly>() -> Self {
+        Self {
+            info: &M::INFO,
+            shaders: &[],
+            make: || {
+                Box::new(Typed::<M> {
+                    params: M::Params::default(),
+                    cpu: Ok(Running::<M, Cpu>::open),
+                    gpu: Err(M::NO_GPU),
+                })
+            },
+        }
+    }
+
+    /// What the method is called.
+    pub fn info(&self) -> &'static Info {
+        self.info
+    }
+
+    /// The method's GPU shaders.
+    pub fn shaders(&self) -> &'static [Shader] {
+        self.shaders
+    }
+
+    /// The method with its default parameters.
+    pub fn configure(&self) -> Box<dyn Configured> {
+        (self.make)()
+    }
+}
+
+/// A method without a GPU implementation.
+pub trait CpuOnly: Estimator<Cpu> {
+    /// Why there is none: shown where a GPU run was asked for.
+    const NO_GPU: &'static str;
+}
+
+/// The methods that a program knows: a value, so that a stranger's `main` can add its own.
+#[derive(Clone, Default)]
+pub struct Registry {
+    entries: Vec<Entry>,
+}
+
+impl Registry {
+    /// The methods of this crate.
+    pub fn builtin() -> Self {
+        Self::default()
+            .with(Entry::both::<crate::constant_ambient::ConstantAmbient>())
+            .with(Entry::both::<crate::classic_envmap::ClassicEnvmap>())
+            .with(Entry::both::<crate::localized_cubemap::LocalizedCubemap>())
+            .with(Entry::cpu_only::<crate::path_reference::PathReference>())
+    }
+
+    /// With one more method; it takes the place of one with the same id.
+    pub fn with(mut self, entry: Entry) -> Self {
+        self.entries.retain(|e| e.info.id != entry.info.id);
+        self.entries.push(entry);
+        self
+    }
+
+    /// All methods in the order in which they were registered.
+    pub fn entries(&self) -> &[Entry] {
+        &self.entries
+    }
+
+    /// The method of this id.
+    ///
+    /// # Errors
+    /// [`UnknownEstimator`] with the nearest known id.
+    pub fn get(&self, id: &str) -> Result<&Entry, UnknownEstimator> {
+        let ids = || self.entries.iter().map(|e| e.info.id);
+        let found = self.entries.iter().find(|e| e.info.id == id);
+        found.ok_or_else(|| UnknownEstimator {
+            id: id.into(),
+            hint: params::nearest(id, ids())
+                .map(|n| format!(", did you mean `{n}`?"))
+                .unwrap_or_default(),
+            known: ids().collect::<Vec<_>>().join(", "),
+        })
+    }
+}
+
+/// No method has this id.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("there is no estimator `{id}`{hint}; known: {known}")]
+pub struct UnknownEstimator {
+    id: String,
+    hint: String,
+    known: String,
+}

@@ -1,0 +1,5 @@
+//! Captures by rasterisation.
+
+pub(crate) mod cube;
+pub(crate) mod raster;
+pub(crate) mod shadow;

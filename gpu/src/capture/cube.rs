@@ -1,0 +1,123 @@
+//! Cube captures: radiance, distance and normal along the rays through texel centres.
+
+use super::raster::{Drawing, RASTER, begin_pass};
+use super::shadow::{SHADOW_MAPS, record_shadow_maps};
+use crate::pipeline::RenderSpec;
+use crate::{Binding, GpuContext, GpuCube, GpuCx, GpuError, GpuScene, Shader, scene, wgsl};
+use bytemuck::{Pod, Zeroable};
+use interreflect_scene::{CubeSpec, conventions::CUBE_FACES};
+
+pub(crate) const SHADER: Shader = Shader {
+    label: "cube capture",
+    parts: &[
+        wgsl::MATH,
+        wgsl::CUBE,
+        wgsl::LAT_LONG,
+        wgsl::LIGHTS,
+        RASTER,
+        SHADOW_MAPS,
+        include_str!("cube.wgsl"),
+    ],
+};
+
+/// The WGSL struct `Capture`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub(crate) struct Capture {
+    pub(crate) origin: [f32; 3],
+    pub(crate) size: f32,
+    pub(crate) near: f32,
+    pub(crate) environment_scale: f32,
+    pub(crate) environment_turn: [f32; 2],
+}
+
+impl Capture {
+    fn new(scene: &GpuScene, spec: CubeSpec) -> Self {
+        let environment = scene.environment.as_ref();
+        Self {
+            origin: scene.reference_point.to_array(),
+            size: spec.size as f32,
+            near: scene.bounds.near(scene.reference_point),
+            environment_scale: environment.map_or(0.0, |e| e.scale),
+            environment_turn: environment.map_or([1.0, 0.0], |e| e.turn),
+        }
+    }
+}
+
+/// What fills a face: the surfaces, then the environment where there are none.
+struct Drawings {
+    surfaces: Drawing,
+    sky: Option<Drawing>,
+}
+
+/// Records a cube capture around the scene's reference point: what `spec` asks for, of surfaces
+/// with `Role::Environment` and of the environment behind them. Radiance is what surfaces emit
+/// (front side) and what Lambertian reflection returns of direct light, with hard shadows.
+///
+/// Each texel holds the ray through its centre; its distance is that of the triangle's plane along
+/// this ray. Which triangle that is, the rasteriser decides, with its own rounding of edges (1/256
+/// of a texel on most hardware).
+///
+/// # Errors
+/// [`GpuError::TextureTooLarge`], or another [`GpuError`] if the device has no room.
+pub fn capture_cube(cx: &mut GpuCx, scene: &GpuScene, spec: CubeSpec) -> Result<GpuCube, GpuError> {
+    let context = cx.context().clone();
+    let cube = GpuCube::blank(&context, spec)?;
+    if cube.targets().iter().all(Option::is_none) {
+        return Ok(cube);
+    }
+    let drawings = prepare(cx, &context, scene, &cube)?;
+    let depth = context.depth_target(spec.size)?;
+    for face in 0..CUBE_FACES as u32 {
+        let mut pass = begin_pass(cx, SHADER.label, &cube.face_views(face), &depth);
+        drawings.surfaces.draw_scene(&mut pass, scene, face);
+        if let Some(sky) = &drawings.sky {
+            sky.draw_triangle(&mut pass, face);
+        }
+    }
+    Ok(cube)
+}
+
+fn prepare(
+    cx: &mut GpuCx,
+    context: &GpuContext,
+    scene: &GpuScene,
+    cube: &GpuCube,
+) -> Result<Drawings, GpuError> {
+    let radiance = cube.spec().channels.radiance;
+    let lights = scene.lights.as_ref().filter(|_| radiance);
+    let environment = scene.environment.as_ref().filter(|_| radiance);
+    let shadow_maps = lights
+        .map(|l| record_shadow_maps(cx, scene, l))
+        .transpose()?;
+    let capture = context.uniform("capture", &Capture::new(scene, cube.spec()))?;
+    let bindings = [
+        Binding::Buffer(&capture),
+        Binding::Buffer(&scene.materials),
+        lights.map_or(Binding::None, |l| Binding::Buffer(&l.buffer)),
+        shadow_maps.as_ref().map_or(Binding::None, Binding::Texture),
+        environment.map_or(Binding::None, |e| Binding::Texture(&e.image)),
+    ];
+    let targets = cube.targets();
+    let draw = |vertex, fragment, buffers| {
+        let spec = RenderSpec {
+            shader: &SHADER,
+            vertex,
+            fragment,
+            buffers,
+            targets: &targets,
+        };
+        Drawing::new(context, &spec, &bindings)
+    };
+    let fragment = match (radiance, lights) {
+        (false, _) => "fs_shape",
+        (true, None) => "fs_emitted",
+        (true, Some(_)) => "fs_lit",
+    };
+    Ok(Drawings {
+        surfaces: draw("vs_surface", fragment, &[Some(scene::VERTEX)])?,
+        sky: environment
+            .map(|_| draw("vs_sky", "fs_sky", &[]))
+            .transpose()?,
+    })
+}

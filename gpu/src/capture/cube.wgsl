@@ -1,0 +1,168 @@
+// Cube captures: radiance, distance and normal along the rays through texel centres.
+// Needs the parts MATH, CUBE, LAT_LONG, LIGHTS, RASTER and SHADOW_MAPS.
+
+struct Capture {
+    // Reference point in metres.
+    origin: vec3f,
+    // Texels along the edge of a face.
+    size: f32,
+    // Nearest distance along a face's axis that is seen.
+    near: f32,
+    environment_scale: f32,
+    // Cosine and sine of the environment's rotation about +y.
+    environment_turn: vec2f,
+}
+
+struct Material {
+    albedo: vec3f,
+    emission: vec3f,
+}
+
+@group(0) @binding(0) var<uniform> capture: Capture;
+@group(0) @binding(1) var<storage, read> materials: array<Material>;
+@group(0) @binding(2) var<uniform> lights: Lights;
+@group(0) @binding(3) var shadow_maps: texture_2d_array<f32>;
+@group(0) @binding(4) var environment: texture_2d<f32>;
+
+struct SurfaceView {
+    @builtin(position) position: vec4f,
+    // Vertex from the reference point.
+    @location(0) offset: vec3f,
+    @location(1) @interpolate(flat) vertex: vec3f,
+    @location(2) @interpolate(flat) normal: vec3f,
+    @location(3) @interpolate(flat) material: u32,
+    @location(4) @interpolate(flat) face: u32,
+}
+
+struct SkyView {
+    @builtin(position) position: vec4f,
+    @location(0) @interpolate(flat) face: u32,
+}
+
+struct Texel {
+    // Radiance, and the distance: 0 where there is no surface.
+    @location(0) radiance_distance: vec4f,
+    // Unit normal on the side of the reference point.
+    @location(1) normal: vec4f,
+}
+
+struct Surface {
+    // Unit direction from the reference point.
+    direction: vec3f,
+    distance: f32,
+    // Unit normal on the side of the reference point.
+    normal: vec3f,
+    // Whether the reference point is on the front side.
+    front: bool,
+}
+
+@vertex
+fn vs_surface(
+    @location(0) position: vec3f,
+    @location(1) normal: vec3f,
+    @location(2) material: u32,
+    @builtin(instance_index) face: u32,
+) -> SurfaceView {
+    let offset = position - capture.origin;
+    let clip = clip_on_face(face, offset, capture.near);
+    return SurfaceView(clip, offset, offset, normal, material, face);
+}
+
+fn texel_direction(face: u32, position: vec2f) -> vec3f {
+    let st = face_coordinates(position, capture.size);
+    return normalize(cube_vector(face, st.x, st.y));
+}
+
+fn surface_at(view: SurfaceView) -> Surface {
+    let direction = texel_direction(view.face, view.position.xy);
+    let distance = plane_distance(direction, view.vertex, view.normal, length(view.offset));
+    let front = dot(view.normal, direction) < 0.0;
+    return Surface(direction, distance, select(-view.normal, view.normal, front), front);
+}
+
+fn emitted(surface: Surface, material: u32) -> vec3f {
+    return select(vec3f(0.0), materials[material].emission, surface.front);
+}
+
+fn texel(surface: Surface, radiance: vec3f) -> Texel {
+    return Texel(vec4f(radiance, surface.distance), vec4f(surface.normal, 0.0));
+}
+
+// Distance and normal, without radiance.
+@fragment
+fn fs_shape(view: SurfaceView) -> Texel {
+    return texel(surface_at(view), vec3f(0.0));
+}
+
+// Emission only, for scenes without lights.
+@fragment
+fn fs_emitted(view: SurfaceView) -> Texel {
+    let surface = surface_at(view);
+    return texel(surface, emitted(surface, view.material));
+}
+
+// Emission and reflected direct light.
+@fragment
+fn fs_lit(view: SurfaceView) -> Texel {
+    let surface = surface_at(view);
+    let x = capture.origin + surface.distance * surface.direction;
+    var irradiance = vec3f(0.0);
+    for (var i = 0u; i < lights.count; i += 1u) {
+        let light = lights.lights[i];
+        let arriving = incident(light, x);
+        let cos_theta = dot(surface.normal, arriving.to_light);
+        if cos_theta > 0.0 && any(arriving.irradiance > vec3f(0.0)) && reached(light, x, surface.normal) {
+            irradiance += arriving.irradiance * cos_theta;
+        }
+    }
+    let reflected = materials[view.material].albedo * INV_PI * irradiance;
+    return texel(surface, emitted(surface, view.material) + reflected);
+}
+
+// Whether a light reaches a surface. The shadow map holds the distance along the ray of a texel's
+// centre, so the surface's own plane is followed to that same ray before the two are compared: a
+// plane never shadows itself, whatever its slope. The bias of one texel's width is for what is not
+// one plane (creases, rounding): shadows begin that far behind an occluder.
+fn reached(light: Light, x: vec3f, normal: vec3f) -> bool {
+    let offset = x - shadow_origin(light);
+    var st: vec2f;
+    var face = 0u;
+    var along: f32;
+    var texel_width: f32;
+    if light.kind == LIGHT_DIRECTIONAL {
+        let right = cross(light.axis, light.up);
+        st = vec2f(dot(offset, right), -dot(offset, light.up)) / light.limit;
+        along = dot(offset, light.axis);
+        texel_width = 2.0 * light.limit / f32(SHADOW_SIZE);
+    } else {
+        let coordinates = cube_coordinates(offset);
+        st = vec2f(coordinates.s, coordinates.t);
+        face = coordinates.face;
+        along = length(offset);
+        texel_width = 2.0 * along / f32(SHADOW_SIZE);
+    }
+    let column = texel_at(SHADOW_SIZE, st.x);
+    let row = texel_at(SHADOW_SIZE, st.y);
+    let first = textureLoad(shadow_maps, vec2u(column, row), light.first_layer + face, 0).r;
+    let centre = vec2f(texel_centre(SHADOW_SIZE, column), texel_centre(SHADOW_SIZE, row));
+    let ray = shadow_ray(light, face, centre);
+    let own = plane_distance(ray.direction, offset - ray.start, normal, along);
+    // 0: the ray meets no surface.
+    return first == 0.0 || first >= min(own, along) - texel_width;
+}
+
+// A triangle that covers the face at infinity: drawn last, it fills the texels without a surface.
+@vertex
+fn vs_sky(@builtin(vertex_index) index: u32, @builtin(instance_index) face: u32) -> SkyView {
+    let corner = vec2f(f32(index & 1u), f32(index >> 1u));
+    return SkyView(vec4f(4.0 * corner - 1.0, 0.0, 1.0), face);
+}
+
+@fragment
+fn fs_sky(view: SkyView) -> Texel {
+    let d = texel_direction(view.face, view.position.xy);
+    let turn = capture.environment_turn;
+    let unturned = vec3f(turn.x * d.x - turn.y * d.z, d.y, turn.y * d.x + turn.x * d.z);
+    let radiance = sample_lat_long(environment, unturned) * capture.environment_scale;
+    return Texel(vec4f(radiance, 0.0), vec4f(0.0));
+}

@@ -1,0 +1,365 @@
+//! The command line: what can be asked for, and one clear line where it can't.
+
+mod values;
+
+pub use values::{MaterialArg, Setting};
+
+use crate::record::Backend;
+use clap::{Args, Parser, Subcommand, ValueEnum, error::ErrorKind};
+use glam::Vec3;
+use interreflect_cpu::tiles::InstructionSet;
+use interreflect_estimators::Quantity;
+use std::{ffi::OsString, path::PathBuf};
+use values::{choice, count, fraction, material, seconds, setting, vector};
+
+/// Measures real-time indirect-illumination estimators against a path-traced reference and
+/// against what each claims to compute.
+#[derive(Clone, Debug, PartialEq, Parser)]
+#[command(name = "interreflect", version, disable_help_subcommand = true)]
+#[command(after_help = EXAMPLES, arg_required_else_help = false)]
+pub struct Cli {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+const EXAMPLES: &str = "\
+SCENE is the name of a library scene (see `interreflect list`), a .toml or an .obj file.
+
+Examples:
+  interreflect bench
+  interreflect bench cornell-box --estimator localized_cubemap --set resolution=8 --out results
+  interreflect render studio --estimator classic_envmap --environment sky.hdr --receiver bunny.obj
+  interreflect probe room.obj --estimator localized_cubemap --points points.csv --json
+  interreflect compare a.exr b.exr";
+
+/// The commands.
+#[derive(Clone, Debug, PartialEq, Subcommand)]
+pub enum Command {
+    /// List scenes, estimators with their parameters, and Vulkan adapters
+    List(List),
+    /// Run estimators on scenes: time them, compare them with what is true, write a report
+    Bench(Bench),
+    /// Render an image with one estimator
+    Render(Render),
+    /// Estimate at the points of a file
+    Probe(Probe),
+    /// Path-trace the truth at points on the receivers
+    Reference(ReferenceCommand),
+    /// Compare two images in linear HDR
+    Compare(Compare),
+}
+
+/// `interreflect list`.
+#[derive(Clone, Debug, PartialEq, Args)]
+#[command(after_help = "Examples:\n  interreflect list\n  interreflect list --needs --json")]
+pub struct List {
+    /// Also show what each estimator asks of a backend before it can run
+    #[arg(long)]
+    pub needs: bool,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `interreflect bench`.
+#[derive(Clone, Debug, PartialEq, Args)]
+#[command(after_help = "Without SCENE and --estimator: every estimator, fidelity, quantity and \
+backend on the library scenes.\n\nExamples:\n  interreflect bench --out results\n  \
+interreflect bench colored-room --receiver bunny.obj --estimator localized_cubemap \
+--set fidelity=corrected\n  interreflect bench --backend cpu --json > results.json")]
+pub struct Bench {
+    /// Scenes; all of the library's if none is given
+    #[arg(value_name = "SCENE")]
+    pub scenes: Vec<String>,
+    /// Estimator to run; repeat for several, all if none is given
+    #[arg(long = "estimator", value_name = "ID")]
+    pub estimators: Vec<String>,
+    /// Quantity to estimate; repeat for several, all that an estimator offers if none is given
+    #[arg(long = "quantity", value_name = "QUANTITY", value_parser = choice::<Quantity>())]
+    pub quantities: Vec<Quantity>,
+    /// Parameter, as `name=value`, or `id.name=value` where several estimators run; repeatable
+    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = setting)]
+    pub settings: Vec<Setting>,
+    /// Which backends to run on
+    #[arg(long, value_enum, default_value = "both")]
+    pub backend: Backends,
+    /// Number of points on the receivers of each scene
+    #[arg(long, value_name = "COUNT", value_parser = count)]
+    pub points: Option<usize>,
+    /// How often each run is timed
+    #[arg(long, value_name = "N", value_parser = count)]
+    pub repeat: Option<usize>,
+    /// How precise the references are.
+    #[command(flatten)]
+    pub budget: ReferenceBudget,
+    /// Changes to the scenes.
+    #[command(flatten)]
+    pub scene: SceneOptions,
+    /// How to run.
+    #[command(flatten)]
+    pub run: RunOptions,
+    /// Print the results as JSON instead of a table
+    #[arg(long)]
+    pub json: bool,
+    /// Folder for results.json, images and report.html
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+/// `interreflect render`.
+#[derive(Clone, Debug, PartialEq, Args)]
+#[command(after_help = "Examples:\n  interreflect render cornell-box --estimator \
+localized_cubemap --width 512 --height 512\n  interreflect render studio --estimator \
+classic_envmap --backend gpu --environment sky.hdr --out images")]
+pub struct Render {
+    /// Library name, .toml or .obj
+    #[arg(value_name = "SCENE")]
+    pub scene: String,
+    /// Estimator to render with
+    #[arg(long, value_name = "ID")]
+    pub estimator: String,
+    /// Quantity to show; reflected light in the scene's own colours if none is given
+    #[arg(long, value_name = "QUANTITY", value_parser = choice::<Quantity>())]
+    pub quantity: Option<Quantity>,
+    /// Parameter of the estimator; repeatable
+    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = setting)]
+    pub settings: Vec<Setting>,
+    /// Which backends to run on
+    #[arg(long, value_enum, default_value = "cpu")]
+    pub backend: Backends,
+    /// Width in pixels; the scene's own if not given
+    #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(1..=16384))]
+    pub width: Option<u32>,
+    /// Height in pixels; the scene's own if not given
+    #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(1..=16384))]
+    pub height: Option<u32>,
+    /// Changes to the scene.
+    #[command(flatten)]
+    pub scene_options: SceneOptions,
+    /// How to run.
+    #[command(flatten)]
+    pub run: RunOptions,
+    /// Print times and file names as JSON
+    #[arg(long)]
+    pub json: bool,
+    /// Folder for the EXR and PNG files
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+/// `interreflect probe`.
+#[derive(Clone, Debug, PartialEq, Args)]
+#[command(after_help = "FILE is a CSV with the columns x,y,z,nx,ny,nz and, for glossy radiance, \
+vx,vy,vz; others are ignored.\n\nExamples:\n  interreflect probe room.obj --reference-point \
+.2,-.1,.3 --estimator localized_cubemap --set resolution=4 --points room.csv --json\n  \
+interreflect probe room.obj --estimator localized_cubemap --backend gpu --quantity \
+glossy_radiance --material .5,.5,5 --points room.csv --json")]
+pub struct Probe {
+    /// Library name, .toml or .obj
+    #[arg(value_name = "SCENE")]
+    pub scene: String,
+    /// Estimator to run
+    #[arg(long, value_name = "ID")]
+    pub estimator: String,
+    /// Points, as CSV
+    #[arg(long, value_name = "FILE")]
+    pub points: PathBuf,
+    /// Quantity to estimate; irradiance where the estimator offers it
+    #[arg(long, value_name = "QUANTITY", value_parser = choice::<Quantity>())]
+    pub quantity: Option<Quantity>,
+    /// Material for glossy radiance: diffuse and specular albedo, Blinn-Phong exponent
+    #[arg(long, value_name = "KD,KS,SHININESS", allow_hyphen_values = true, value_parser = material)]
+    pub material: Option<MaterialArg>,
+    /// Parameter of the estimator; repeatable
+    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = setting)]
+    pub settings: Vec<Setting>,
+    /// Which backend to run on
+    #[arg(long, value_enum, default_value = "cpu")]
+    pub backend: Backend,
+    /// Changes to the scene.
+    #[command(flatten)]
+    pub scene_options: SceneOptions,
+    /// How to run.
+    #[command(flatten)]
+    pub run: RunOptions,
+    /// Print JSON instead of a table
+    #[arg(long)]
+    pub json: bool,
+    /// Folder to write the values to as well
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+/// `interreflect reference`.
+#[derive(Clone, Debug, PartialEq, Args)]
+#[command(after_help = "Stops at the first of --samples, --error and --seconds that is reached, \
+at whole rounds of samples.\n\nExamples:\n  interreflect reference divided-room --error .01 \
+--seconds 60\n  interreflect reference cornell-box --points 4096 --samples 1024 --seed 7 --json")]
+pub struct ReferenceCommand {
+    /// Library name, .toml or .obj
+    #[arg(value_name = "SCENE")]
+    pub scene: String,
+    /// Quantity to path-trace
+    #[arg(long, value_name = "QUANTITY", default_value = "irradiance")]
+    #[arg(value_parser = choice::<Quantity>())]
+    pub quantity: Quantity,
+    /// Number of points on the receivers
+    #[arg(long, value_name = "COUNT", value_parser = count)]
+    pub points: Option<usize>,
+    /// Parameter of the path tracer; repeatable
+    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = setting)]
+    pub settings: Vec<Setting>,
+    /// How precise it is.
+    #[command(flatten)]
+    pub budget: ReferenceBudget,
+    /// Changes to the scene.
+    #[command(flatten)]
+    pub scene_options: SceneOptions,
+    /// How to run.
+    #[command(flatten)]
+    pub run: RunOptions,
+    /// Print the values with their standard errors as JSON
+    #[arg(long)]
+    pub json: bool,
+    /// Folder to write the values to as well
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+/// `interreflect compare`.
+#[derive(Clone, Debug, PartialEq, Args)]
+#[command(after_help = "Example:\n  interreflect compare estimate.exr reference.exr --out diff")]
+pub struct Compare {
+    /// The image to judge, EXR or HDR
+    #[arg(value_name = "A")]
+    pub estimate: PathBuf,
+    /// The image that it is compared with, EXR or HDR
+    #[arg(value_name = "B")]
+    pub reference: PathBuf,
+    /// Image of the standard error of B; without it B counts as exact
+    #[arg(long, value_name = "FILE")]
+    pub standard_error: Option<PathBuf>,
+    /// Print JSON instead of a table
+    #[arg(long)]
+    pub json: bool,
+    /// Folder for the map of signed errors
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+/// Changes to a scene.
+#[derive(Clone, Debug, Default, PartialEq, Args)]
+#[command(next_help_heading = "Scene")]
+pub struct SceneOptions {
+    /// OBJ file that takes the receiver's place, scaled to its size
+    #[arg(long, value_name = "FILE")]
+    pub receiver: Option<PathBuf>,
+    /// Latitude-longitude image (HDR or EXR) as environment
+    #[arg(long, value_name = "FILE")]
+    pub environment: Option<PathBuf>,
+    /// Where cube maps are captured
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = vector)]
+    pub reference_point: Option<Vec3>,
+}
+
+/// How to run.
+#[derive(Clone, Debug, Default, PartialEq, Args)]
+#[command(next_help_heading = "Run")]
+pub struct RunOptions {
+    /// Vulkan adapter: part of its name, or its number in `interreflect list`
+    #[arg(long, value_name = "NAME")]
+    pub adapter: Option<String>,
+    /// Threads of the CPU backend; all if not given
+    #[arg(long, value_name = "N", value_parser = count)]
+    pub threads: Option<usize>,
+    /// Instruction set of the CPU kernels; the best that the processor has if not given
+    #[arg(long, value_name = "SET", value_parser = choice::<InstructionSet>())]
+    pub instruction_set: Option<InstructionSet>,
+    /// Seed of everything random
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub seed: u64,
+}
+
+/// When a path-traced reference is good enough.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Args)]
+#[command(next_help_heading = "Reference")]
+pub struct ReferenceBudget {
+    /// Samples per point
+    #[arg(long, value_name = "N", value_parser = count)]
+    pub samples: Option<usize>,
+    /// Relative standard error of the mean, such as .01
+    #[arg(long, value_name = "FRACTION", value_parser = fraction)]
+    pub error: Option<f64>,
+    /// Time for each reference
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    pub seconds: Option<f64>,
+}
+
+/// One backend or both.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+#[value(rename_all = "snake_case")]
+pub enum Backends {
+    /// Host threads
+    Cpu,
+    /// A Vulkan device
+    Gpu,
+    /// First the one, then the other
+    #[default]
+    Both,
+}
+
+impl Backends {
+    /// The backends, in the order in which they run.
+    pub fn list(self) -> &'static [Backend] {
+        match self {
+            Self::Cpu => &[Backend::Cpu],
+            Self::Gpu => &[Backend::Gpu],
+            Self::Both => &[Backend::Cpu, Backend::Gpu],
+        }
+    }
+}
+
+/// A command line that leads nowhere: text to print, where, and the exit code.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Stop {
+    /// Help or version was asked for: print to standard output and exit with 0.
+    Information(String),
+    /// Bad usage: one line for standard error; exit with 2.
+    Usage(String),
+}
+
+impl Cli {
+    /// Reads a command line, whose first argument is the program's name.
+    ///
+    /// # Errors
+    /// [`Stop`] if help was asked for or the usage is bad.
+    pub fn parse_arguments<T>(arguments: impl IntoIterator<Item = T>) -> Result<Self, Stop>
+    where
+        T: Into<OsString> + Clone,
+    {
+        Self::try_parse_from(arguments).map_err(|error| match error.kind() {
+            ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => {
+                Stop::Information(error.render().to_string())
+            }
+            _ => Stop::Usage(one_line(&error.render().to_string())),
+        })
+    }
+}
+
+/// The parser's message without its paragraphs on usage, as one line: the reason, what is near it,
+/// and where help is.
+fn one_line(message: &str) -> String {
+    let reason = message.split("\nUsage:").next().unwrap_or_default();
+    let reason = reason.split("\nFor more information").next().unwrap_or_default();
+    let paragraphs = reason.trim_start_matches("error:").split("\n\n");
+    let joined: Vec<String> = paragraphs
+        .map(|p| p.split_whitespace().collect::<Vec<_>>().join(" "))
+        .filter(|p| !p.is_empty())
+        .map(|p| p.strip_prefix("tip: ").map(str::to_owned).unwrap_or(p))
+        .collect();
+    format!("{}; see --help", joined.join("; "))
+}
+
+#[cfg(test)]
+mod tests;

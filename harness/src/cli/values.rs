@@ -1,0 +1,91 @@
+//! Values on the command line. Each parser says what it expected.
+
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use glam::Vec3;
+use interreflect_scene::params::Choice;
+
+/// A parameter as given, not yet checked against any method.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Setting {
+    /// `name`, or `id.name`.
+    pub name: String,
+    /// The text after the equals sign.
+    pub value: String,
+}
+
+impl Setting {
+    /// The estimator that the setting is meant for, if it says so, and the parameter's name.
+    pub fn split(&self) -> (Option<&str>, &str) {
+        match self.name.split_once('.') {
+            Some((estimator, name)) => (Some(estimator), name),
+            None => (None, &self.name),
+        }
+    }
+}
+
+/// Reflection for glossy radiance, the same in all channels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MaterialArg {
+    /// Diffuse albedo k_d in [0, 1].
+    pub diffuse: f32,
+    /// Specular albedo k_s in [0, 1].
+    pub specular: f32,
+    /// Blinn–Phong exponent, not negative.
+    pub shininess: f32,
+}
+
+/// A parser of the names of a [`Choice`], which `--help` and error messages list.
+pub(super) fn choice<C: Choice + Send + Sync>() -> impl TypedValueParser<Value = C> {
+    let names = PossibleValuesParser::new(C::ALL.iter().map(|(name, _)| *name));
+    names.try_map(|given| {
+        let found = C::ALL.iter().find(|(name, _)| *name == given);
+        found.map(|(_, value)| *value).ok_or("not one of the names")
+    })
+}
+
+pub(super) fn setting(text: &str) -> Result<Setting, String> {
+    match text.split_once('=') {
+        Some((name, value)) if !name.trim().is_empty() && !value.trim().is_empty() => Ok(Setting {
+            name: name.trim().into(),
+            value: value.trim().into(),
+        }),
+        _ => Err("expected name=value, such as resolution=8".into()),
+    }
+}
+
+pub(super) fn vector(text: &str) -> Result<Vec3, String> {
+    let expected = "expected three numbers x,y,z, such as .2,-.1,.3";
+    three_numbers(text).map(Vec3::from_array).ok_or_else(|| expected.into())
+}
+
+pub(super) fn material(text: &str) -> Result<MaterialArg, String> {
+    let Some([diffuse, specular, shininess]) = three_numbers(text) else {
+        return Err("expected three numbers kd,ks,shininess, such as .5,.5,5".into());
+    };
+    let albedo = 0.0..=1.0;
+    if !albedo.contains(&diffuse) || !albedo.contains(&specular) || shininess < 0.0 {
+        return Err("kd and ks must be from 0 to 1, shininess at least 0".into());
+    }
+    Ok(MaterialArg { diffuse, specular, shininess })
+}
+
+fn three_numbers(text: &str) -> Option<[f32; 3]> {
+    let numbers: Result<Vec<f32>, _> = text.split(',').map(|n| n.trim().parse()).collect();
+    let numbers: [f32; 3] = numbers.ok()?.try_into().ok()?;
+    numbers.iter().all(|n| n.is_finite()).then_some(numbers)
+}
+
+pub(super) fn count(text: &str) -> Result<usize, String> {
+    let number = text.parse().ok().filter(|n| (1..=1 << 32).contains(n));
+    number.ok_or_else(|| "expected a whole number, 1 or more".into())
+}
+
+pub(super) fn fraction(text: &str) -> Result<f64, String> {
+    let number = text.parse().ok().filter(|n| *n > 0.0 && *n < 1.0);
+    number.ok_or_else(|| "expected a fraction between 0 and 1, such as .01".into())
+}
+
+pub(super) fn seconds(text: &str) -> Result<f64, String> {
+    let number = text.parse().ok().filter(|n: &f64| *n > 0.0 && n.is_finite());
+    number.ok_or_else(|| "expected a time in seconds above 0, such as 30".into())
+}

@@ -1,0 +1,53 @@
+//! Numbers as people read them, the same on the terminal and in the report.
+
+use crate::record::{Comparison, Verdict};
+
+/// A number with three significant digits: plain from a thousandth to a million, else with a power
+/// of ten.
+pub(crate) fn number(value: f64) -> String {
+    let magnitude = value.abs();
+    if value == 0.0 {
+        return "0".into();
+    }
+    if !(0.000_999_5..999_999.5).contains(&magnitude) {
+        return format!("{value:.2e}");
+    }
+    let decimals = (2 - magnitude.log10().floor() as i32).max(0) as usize;
+    format!("{value:.decimals$}")
+}
+
+/// relMSE, as an upper bound where the reference can't resolve it.
+pub(crate) fn relmse(comparison: &Comparison) -> String {
+    match (comparison.relmse, comparison.verdict) {
+        (None, _) => "–".into(),
+        (Some(v), Verdict::Conclusive) => number(v),
+        (Some(v), Verdict::Inconclusive) => format!("≲ {}", number(v)),
+    }
+}
+
+/// A number that may not exist.
+pub(crate) fn optional(value: Option<f64>) -> String {
+    value.map_or_else(|| "–".into(), number)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_keep_three_digits() {
+        for (value, text) in [
+            (0.0, "0"),
+            (1.0, "1.00"),
+            (-0.123_45, "-0.123"),
+            (12.345, "12.3"),
+            (1234.5, "1234"),
+            (0.001_234, "0.00123"),
+            (0.000_12, "1.20e-4"),
+            (2.5e7, "2.50e7"),
+            (f64::INFINITY, "inf"),
+        ] {
+            assert_eq!(number(value), text);
+        }
+    }
+}

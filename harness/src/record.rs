@@ -1,0 +1,354 @@
+//! What a run leaves behind: the JSON contract of `bench --json` and `results.json`.
+//!
+//! Times are in milliseconds, errors in the units of the compared quantity. A number that does not
+//! exist is `null`, never a stand-in, and says why beside it.
+
+use crate::machine::Machine;
+use interreflect_scene::params::Value;
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de, ser::SerializeMap};
+use std::fmt;
+
+/// Everything that one `bench` produced.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Results {
+    /// Where it was measured, and with which build.
+    pub machine: Machine,
+    /// One entry per scene, estimator, fidelity, quantity and backend.
+    pub runs: Vec<Run>,
+}
+
+/// One estimator with one set of parameters, on one scene and one backend.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Run {
+    /// Name of the scene.
+    pub scene: String,
+    /// Identifier of the estimator.
+    pub estimator: String,
+    /// Where it ran.
+    pub backend: Backend,
+    /// `published` or `corrected`; `None` where the method has no fidelity.
+    pub fidelity: Option<String>,
+    /// Name of the estimated quantity, in snake case.
+    pub quantity: String,
+    /// Every parameter, in the method's own order.
+    pub params: ParamMap,
+    /// Number of points, those without a surface included.
+    pub points: usize,
+    /// Where the time went.
+    pub phases_ms: Phases,
+    /// How the times were taken.
+    pub time_source: TimeSource,
+    /// The run used a software adapter: its times say nothing about a GPU.
+    pub software: bool,
+    /// Difference to what the method claims to compute.
+    pub own_model: Option<Comparison>,
+    /// Why `own_model` is `None`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub own_model_missing: Option<String>,
+    /// Difference to full light transport.
+    pub truth: Option<Comparison>,
+    /// Why `truth` is `None`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub truth_missing: Option<String>,
+    /// Why nothing ran; every phase and comparison is then `None`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub skipped: Option<String>,
+}
+
+impl Run {
+    /// A run that could not take place, with the reason.
+    pub fn skipped(
+        scene: impl Into<String>,
+        estimator: impl Into<String>,
+        backend: Backend,
+        quantity: impl Into<String>,
+        reason: impl Into<String>,
+    ) -> Self {
+        Self {
+            scene: scene.into(),
+            estimator: estimator.into(),
+            backend,
+            fidelity: None,
+            quantity: quantity.into(),
+            params: ParamMap::default(),
+            points: 0,
+            phases_ms: Phases::default(),
+            time_source: TimeSource::WallClock,
+            software: false,
+            own_model: None,
+            own_model_missing: None,
+            truth: None,
+            truth_missing: None,
+            skipped: Some(reason.into()),
+        }
+    }
+
+    /// Estimator and fidelity as one label, such as `localized_cubemap, corrected`.
+    pub fn label(&self) -> String {
+        match &self.fidelity {
+            Some(fidelity) => format!("{}, {fidelity}", self.estimator),
+            None => self.estimator.clone(),
+        }
+    }
+}
+
+/// Where a run took place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, clap::ValueEnum)]
+#[serde(rename_all = "snake_case")]
+pub enum Backend {
+    /// Host threads
+    Cpu,
+    /// A Vulkan device, hardware or software
+    Gpu,
+}
+
+impl fmt::Display for Backend {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Cpu => "cpu",
+            Self::Gpu => "gpu",
+        })
+    }
+}
+
+/// How phases were timed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum TimeSource {
+    /// Host clock around submission and wait.
+    WallClock,
+    /// Timestamps written by the device; compile and read-back are still the host's.
+    GpuTimestamps,
+}
+
+impl fmt::Display for TimeSource {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::WallClock => "wall clock",
+            Self::GpuTimestamps => "GPU timestamps",
+        })
+    }
+}
+
+/// Time of each phase; `None` where a run has no such phase.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Phases {
+    /// Taking the captures that the method declared.
+    pub capture: Option<Timing>,
+    /// Pipeline-cache misses and the first run's excess.
+    pub compile: Option<Timing>,
+    /// From captures to the method's own data.
+    pub prepare: Option<Timing>,
+    /// The estimate at all points.
+    pub shade: Option<Timing>,
+    /// Bringing the estimate back to the host.
+    pub readback: Option<Timing>,
+}
+
+impl Phases {
+    /// Names with times, in the order in which phases run.
+    pub fn named(&self) -> [(&'static str, Option<Timing>); 5] {
+        [
+            ("capture", self.capture),
+            ("compile", self.compile),
+            ("prepare", self.prepare),
+            ("shade", self.shade),
+            ("readback", self.readback),
+        ]
+    }
+
+    /// Sum of the medians of what a frame pays once all is compiled: capture, prepare and shade.
+    /// `None` if nothing was shaded.
+    pub fn frame_ms(&self) -> Option<f64> {
+        let median = |t: Option<Timing>| t.map_or(0.0, |t| t.median);
+        let shade = self.shade?.median;
+        Some(median(self.capture) + median(self.prepare) + shade)
+    }
+}
+
+/// Spread of repeated times in milliseconds.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Timing {
+    /// Median; the mean of the middle two for an even count.
+    pub median: f64,
+    /// Median absolute deviation from the median, unscaled.
+    pub mad: f64,
+    /// Number of repetitions.
+    pub n: usize,
+}
+
+impl Timing {
+    /// Summary of times in milliseconds; `None` without any.
+    pub fn of(times_ms: &[f64]) -> Option<Self> {
+        let median = median(times_ms.to_vec())?;
+        let mad = median_of_deviations(times_ms, median)?;
+        Some(Self {
+            median,
+            mad,
+            n: times_ms.len(),
+        })
+    }
+}
+
+fn median_of_deviations(values: &[f64], centre: f64) -> Option<f64> {
+    median(values.iter().map(|v| (v - centre).abs()).collect())
+}
+
+fn median(mut values: Vec<f64>) -> Option<f64> {
+    values.sort_by(f64::total_cmp);
+    let upper = *values.get(values.len() / 2)?;
+    if values.len() % 2 == 1 {
+        return Some(upper);
+    }
+    Some(0.5 * (values[values.len() / 2 - 1] + upper))
+}
+
+/// How an estimate differs from a reference; how each number is made is said in
+/// [`crate::metrics`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Comparison {
+    /// Mean squared error relative to the reference's square plus `epsilon`; `None` for a
+    /// reference that is zero everywhere.
+    pub relmse: Option<f64>,
+    /// Root of the mean squared error, in the quantity's unit.
+    pub rmse: f64,
+    /// Sum of the estimate over the sum of the reference, signs kept: 1 keeps the energy, less is
+    /// too dark; `None` for a reference that sums to zero.
+    pub energy_ratio: Option<f64>,
+    /// 99.9th percentile of the absolute error, in the quantity's unit.
+    pub p999: f64,
+    /// Largest absolute error, in the quantity's unit.
+    pub max: f64,
+    /// The relMSE to be expected of a perfect estimate, from the reference's own standard error;
+    /// `None` where `relmse` is.
+    pub noise_floor: Option<f64>,
+    /// Whether the reference resolves the difference.
+    pub verdict: Verdict,
+    /// `relmse` less `noise_floor`, not below 0: the best guess of the estimate's own error.
+    pub relmse_above_noise: Option<f64>,
+    /// The RMSE to be expected of a perfect estimate.
+    pub noise_floor_rmse: f64,
+    /// The ε of relMSE, in the quantity's unit squared.
+    pub epsilon: f64,
+    /// Number of points that were compared: those with a surface.
+    pub compared: usize,
+    /// What the estimate was compared with, its sample count and seed where it has them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub reference: Option<String>,
+}
+
+/// Whether a reference's noise lets a difference be seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Verdict {
+    /// The difference is well above the reference's own error.
+    Conclusive,
+    /// The difference could be the reference's own error: the numbers are upper bounds.
+    Inconclusive,
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Conclusive => "conclusive",
+            Self::Inconclusive => "inconclusive",
+        })
+    }
+}
+
+/// A parameter's value as JSON has it: a number, a truth value or a name.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum ParamValue {
+    /// A whole number.
+    U32(u32),
+    /// A real number.
+    F32(f32),
+    /// A truth value.
+    Bool(bool),
+    /// A name.
+    Name(String),
+}
+
+impl From<Value> for ParamValue {
+    fn from(value: Value) -> Self {
+        match value {
+            Value::U32(v) => Self::U32(v),
+            Value::F32(v) => Self::F32(v),
+            Value::Bool(v) => Self::Bool(v),
+            Value::Name(v) => Self::Name(v.into()),
+        }
+    }
+}
+
+impl fmt::Display for ParamValue {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::U32(v) => v.fmt(f),
+            Self::F32(v) => v.fmt(f),
+            Self::Bool(v) => v.fmt(f),
+            Self::Name(v) => v.fmt(f),
+        }
+    }
+}
+
+/// Parameters by name, in the order in which the method declares them; a JSON object.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ParamMap(pub Vec<(String, ParamValue)>);
+
+impl ParamMap {
+    /// The value of a parameter.
+    pub fn get(&self, name: &str) -> Option<&ParamValue> {
+        self.0.iter().find(|(n, _)| n == name).map(|(_, v)| v)
+    }
+}
+
+impl<N: Into<String>, V: Into<ParamValue>> FromIterator<(N, V)> for ParamMap {
+    fn from_iter<I: IntoIterator<Item = (N, V)>>(entries: I) -> Self {
+        let entry = |(n, v): (N, V)| (n.into(), v.into());
+        Self(entries.into_iter().map(entry).collect())
+    }
+}
+
+impl fmt::Display for ParamMap {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, (name, value)) in self.0.iter().enumerate() {
+            let space = if i == 0 { "" } else { " " };
+            write!(f, "{space}{name}={value}")?;
+        }
+        Ok(())
+    }
+}
+
+impl Serialize for ParamMap {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(Some(self.0.len()))?;
+        for (name, value) in &self.0 {
+            map.serialize_entry(name, value)?;
+        }
+        map.end()
+    }
+}
+
+impl<'de> Deserialize<'de> for ParamMap {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Entries;
+        impl<'de> de::Visitor<'de> for Entries {
+            type Value = ParamMap;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("an object of parameters by name")
+            }
+            fn visit_map<A: de::MapAccess<'de>>(self, mut map: A) -> Result<ParamMap, A::Error> {
+                let mut entries = Vec::new();
+                while let Some(entry) = map.next_entry()? {
+                    entries.push(entry);
+                }
+                Ok(ParamMap(entries))
+            }
+        }
+        deserializer.deserialize_map(Entries)
+    }
+}
+
+#[cfg(test)]
+mod tests;

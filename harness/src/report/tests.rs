@@ -1,0 +1,156 @@
+#![allow(clippy::unwrap_used, reason = "tests")]
+use super::*;
+use crate::{
+    machine::Adapter,
+    record::{Backend, Comparison, ParamMap, Phases, TimeSource, Timing, Verdict},
+};
+use glam::Vec3;
+use interreflect_scene::params::Value;
+
+fn comparison(relmse: f64, floor: f64, reference: &str) -> Comparison {
+    Comparison {
+        relmse: Some(relmse),
+        rmse: relmse.sqrt(),
+        energy_ratio: Some(0.93),
+        p999: 0.4,
+        max: 0.61,
+        noise_floor: Some(floor),
+        verdict: if relmse > 2.0 * floor { Verdict::Conclusive } else { Verdict::Inconclusive },
+        relmse_above_noise: Some((relmse - floor).max(0.0)),
+        noise_floor_rmse: floor.sqrt(),
+        epsilon: 1e-4,
+        compared: 2000,
+        reference: Some(reference.into()),
+    }
+}
+
+fn run(scene: &str, estimator: &str, fidelity: Option<&'static str>, backend: Backend, relmse: f64) -> Run {
+    let time = |ms: f64| Timing::of(&[ms, 1.1 * ms, 0.97 * ms]);
+    let fidelity_value = fidelity.map(|f| ("fidelity", Value::Name(f)));
+    let params = [("resolution", Value::U32(4)), ("capture_resolution", Value::U32(256))];
+    Run {
+        scene: scene.into(),
+        estimator: estimator.into(),
+        backend,
+        fidelity: fidelity.map(Into::into),
+        quantity: "irradiance".into(),
+        params: params.into_iter().chain(fidelity_value).collect::<ParamMap>(),
+        points: 2048,
+        phases_ms: Phases {
+            capture: time(40.0 * relmse.sqrt()),
+            compile: (backend == Backend::Gpu).then(|| Timing::of(&[310.0])).flatten(),
+            prepare: time(0.31),
+            shade: time(0.9),
+            readback: (backend == Backend::Gpu).then(|| time(0.05)).flatten(),
+        },
+        time_source: if backend == Backend::Gpu { TimeSource::GpuTimestamps } else { TimeSource::WallClock },
+        software: backend == Backend::Gpu,
+        own_model: (estimator != "mine").then(|| comparison(0.3 * relmse, 0.0, "own model")),
+        own_model_missing: (estimator == "mine").then(|| "no deterministic integral".into()),
+        truth: Some(comparison(relmse, 1.2e-4, "path tracer, 1024 samples, seed 1")),
+        truth_missing: None,
+        skipped: None,
+    }
+}
+
+fn image(brightness: f32) -> HdrImage {
+    let mut image = HdrImage::new(96, 72);
+    for (i, pixel) in image.pixels.iter_mut().enumerate() {
+        let (x, y) = ((i % 96) as f32 / 96.0 - 0.5, (i / 96) as f32 / 72.0 - 0.5);
+        let r2 = 4.0 * (x * x + y * y);
+        let shade = (1.0 - r2).max(0.05).sqrt() + brightness * x;
+        *pixel = Vec3::new(0.9, 0.7, 0.4 + 0.5 * y) * shade;
+    }
+    image
+}
+
+fn labelled(label: &str, note: &str, brightness: f32) -> LabelledImage {
+    LabelledImage { label: label.into(), note: note.into(), image: image(brightness) }
+}
+
+fn report() -> Report {
+    let adapter = Adapter { name: "llvmpipe".into(), driver: "Mesa 22.3.6".into(), software: true };
+    let mut runs = Vec::new();
+    for scene in ["colored-room", "studio"] {
+        for backend in [Backend::Cpu, Backend::Gpu] {
+            runs.push(run(scene, "constant_ambient", None, backend, 0.21));
+            runs.push(run(scene, "classic_envmap", None, backend, 0.03));
+            runs.push(run(scene, "localized_cubemap", Some("published"), backend, 0.012));
+            runs.push(run(scene, "localized_cubemap", Some("corrected"), backend, 0.0019));
+            runs.push(run(scene, "mine", None, backend, 1.1e-4));
+        }
+        let reason = "path tracing needs ray queries, which this adapter lacks";
+        runs.push(Run::skipped(scene, "path_reference", Backend::Gpu, "irradiance", reason));
+    }
+    Report {
+        title: "interreflect bench".into(),
+        command: "interreflect bench --set a<b>".into(),
+        machine: Machine::detect(2, "avx2", Some(&adapter)),
+        runs,
+        rows: vec![ImageRow {
+            scene: "colored-room".into(),
+            quantity: "irradiance".into(),
+            reference: labelled("path tracer", "1024 samples", 0.0),
+            estimates: vec![
+                labelled("classic_envmap", "cpu", -0.4),
+                labelled("localized_cubemap, published", "cpu", 0.2),
+                labelled("localized_cubemap, corrected", "gpu, software", 0.02),
+            ],
+            surfaces: Some((0..96 * 72).map(|i| i % 96 > 8).collect()),
+        }],
+    }
+}
+
+/// Set INTERREFLECT_SAMPLE_REPORT to a file name to keep the page and look at it.
+#[test]
+fn a_report_is_one_file_that_says_what_must_be_said() {
+    let html = report().html().unwrap();
+    if let Some(path) = std::env::var_os("INTERREFLECT_SAMPLE_REPORT") {
+        std::fs::write(path, &html).unwrap();
+    }
+    for words in [
+        "SOFTWARE", "badge software", "skipped: path tracing needs ray queries", "inconclusive",
+        "no deterministic integral", "resolution = 4", "avx2", "GPU timestamps", "linear-gradient",
+    ] {
+        assert!(html.contains(words), "no {words}");
+    }
+    assert!(html.contains("--set a&lt;b&gt;"), "text is escaped");
+    // A reference, and an estimate with its error for each of the three.
+    assert_eq!(html.matches("<img src=\"data:image/png;base64,").count(), 7);
+    for outside in ["http://", "https://", "<script", "<link", "url("] {
+        assert!(!html.contains(outside), "the file refers to something outside: {outside}");
+    }
+}
+
+#[test]
+fn hardware_times_are_not_called_software() {
+    let mut report = report();
+    report.runs.retain(|r| r.backend == Backend::Cpu);
+    report.machine = Machine::detect(1, "baseline", None);
+    let html = report.html().unwrap();
+    assert!(!html.contains("SOFTWARE") && !html.contains("class=\"badge software\">software"));
+}
+
+#[test]
+fn an_empty_report_is_still_a_page() {
+    let mut report = report();
+    report.runs.clear();
+    report.rows.clear();
+    assert!(report.html().unwrap().contains("</html>"));
+}
+
+#[test]
+fn images_of_another_size_are_refused() {
+    let mut report = report();
+    report.rows[0].estimates[1].image = HdrImage::new(2, 2);
+    let message = report.html().unwrap_err().to_string();
+    assert!(message.contains("localized_cubemap, published") && message.contains("2 × 2"), "{message}");
+}
+
+#[test]
+fn reports_are_written_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("report.html");
+    report().write(&path).unwrap();
+    assert!(std::fs::read_to_string(&path).unwrap().ends_with("</html>"));
+}

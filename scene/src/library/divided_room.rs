@@ -1,0 +1,130 @@
+//! A cubic room with a partition wall: what is seen from the reference point differs from what is
+//! seen from the shaded points.
+
+use super::receiver::{self, Look};
+use super::{Recipe, room};
+use crate::load::build::Parts;
+use crate::load::{Setting, assemble};
+use crate::params::{Choice, Field, Params};
+use crate::{Camera, Light, Material, Role, Scene, SceneError};
+use glam::Vec3;
+
+pub(super) struct DividedRoom;
+
+/// Where the reference point is.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+enum Reference {
+    #[default]
+    Receiver,
+    Passage,
+}
+
+impl Choice for Reference {
+    const ALL: &'static [(&'static str, Self)] =
+        &[("receiver", Self::Receiver), ("passage", Self::Passage)];
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Settings {
+    depth: f32,
+    reference: Reference,
+    size: f32,
+    look: Look,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            depth: 1.1,
+            reference: Reference::Receiver,
+            size: 0.6,
+            look: Look::default(),
+        }
+    }
+}
+
+receiver::has_look!(Settings);
+
+impl Params for Settings {
+    fn fields() -> Vec<Field<Self>> {
+        let mut fields = vec![
+            Field::f32(
+                "divider.depth",
+                "how far the divider reaches into the room from the -z wall",
+                0.1..=1.9,
+                |s: &Self| s.depth,
+                |s, v| s.depth = v,
+            )
+            .unit("m"),
+            Field::choice(
+                "reference",
+                "the cube map's place: the receiver's centre, or the passage that sees both halves",
+                |s: &Self| s.reference,
+                |s, v| s.reference = v,
+            ),
+            Field::f32(
+                "receiver.size",
+                "longest side of the receiver",
+                0.01..=0.8,
+                |s: &Self| s.size,
+                |s, v| s.size = v,
+            )
+            .unit("m"),
+        ];
+        fields.extend(receiver::look_fields());
+        fields
+    }
+}
+
+/// Thickness of the divider in metres.
+const THICKNESS: f32 = 0.06;
+
+impl Recipe for DividedRoom {
+    type Settings = Settings;
+    const NAME: &'static str = "divided-room";
+    const SUMMARY: &'static str =
+        "cubic room with a divider that hides half of it, and a glossy receiver beside the passage";
+
+    fn build(s: &Settings, receiver: Option<&str>) -> Result<Scene, SceneError> {
+        let mut parts = Parts::default();
+        let walls = [
+            room::glowing([0.2, 0.45, 0.8], 1.2),
+            room::glowing([0.75, 0.2, 0.12], 0.15),
+            room::glowing([0.75, 0.75, 0.72], 0.15),
+            room::glowing([0.5, 0.45, 0.4], 0.15),
+            room::glowing([0.7, 0.65, 0.3], 0.15),
+            room::glowing([0.3, 0.6, 0.3], 0.15),
+        ];
+        parts.add("walls", Role::Environment, room::walls(walls));
+        let size = Vec3::new(THICKNESS, 2.0 * room::HALF, s.depth);
+        let centre = Vec3::new(0.0, 0.0, 0.5 * s.depth - room::HALF);
+        let white = Material::diffuse(Vec3::splat(0.75));
+        parts.add(
+            "divider",
+            Role::Environment,
+            room::block(centre, size, white),
+        );
+        let name = receiver.unwrap_or("sphere");
+        // Level with the divider's default end: its points see between nothing and all of the
+        // other half.
+        let position = Vec3::new(-0.47, -0.15, 0.1);
+        let model = receiver::model(name, s.size, &s.look)?.moved(position);
+        parts.add(receiver::name_of(name), Role::Receiver, model);
+        let setting = Setting {
+            lights: vec![Light::Point {
+                position: Vec3::new(0.5, 0.45, 0.1),
+                intensity: Vec3::new(1.6, 1.5, 1.3),
+            }],
+            camera: Some(Camera {
+                eye: Vec3::new(0.8, 0.3, 0.97),
+                ..room::camera(Vec3::new(-0.3, -0.15, 0.0))
+            }),
+            reference_point: Some(match s.reference {
+                Reference::Receiver => position,
+                Reference::Passage => Vec3::new(0.0, 0.0, 0.5 * s.depth),
+            }),
+            ..Setting::default()
+        };
+        Ok(assemble(Self::NAME, parts, setting))
+    }
+}

@@ -1,0 +1,95 @@
+//! The built-in scenes, one file each.
+//!
+//! A scene is a [`Recipe`]: a name, a line about it, settings declared through
+//! [`crate::params::Params`], and a function that builds it. Adding one is one file and one line in [`library`].
+
+mod colored_room;
+mod cornell_box;
+mod divided_room;
+mod furnace;
+pub(crate) mod receiver;
+mod room;
+mod sky;
+mod studio;
+#[cfg(test)]
+mod tests;
+
+pub use receiver::RECEIVERS;
+
+use crate::params::{self, FieldInfo, Params, Value};
+use crate::{Scene, SceneError, SceneRequest};
+
+/// What makes a scene of the library.
+trait Recipe {
+    /// Its settings, named as on the command line without the leading `scene.`.
+    type Settings: Params;
+    /// Its name on the command line.
+    const NAME: &'static str;
+    /// One line about it.
+    const SUMMARY: &'static str;
+    /// Builds it; `receiver` is the one asked for, if any.
+    fn build(settings: &Self::Settings, receiver: Option<&str>) -> Result<Scene, SceneError>;
+}
+
+/// A scene of the library, its type erased.
+#[derive(Clone, Copy, Debug)]
+pub struct LibraryScene {
+    /// Name on the command line.
+    pub name: &'static str,
+    /// One line about it.
+    pub summary: &'static str,
+    settings: fn() -> Vec<(FieldInfo, Value)>,
+    open: fn(&SceneRequest) -> Result<Scene, SceneError>,
+}
+
+impl LibraryScene {
+    const fn of<R: Recipe>() -> Self {
+        Self {
+            name: R::NAME,
+            summary: R::SUMMARY,
+            settings: || params::values(&R::Settings::default()),
+            open: |request| R::build(&request.settings()?, request.receiver.as_deref()),
+        }
+    }
+
+    /// The scene's settings with their defaults.
+    pub fn settings(&self) -> Vec<(FieldInfo, Value)> {
+        (self.settings)()
+    }
+
+    /// Builds the scene; environment and reference point of the request are left to the caller.
+    pub(crate) fn open(&self, request: &SceneRequest) -> Result<Scene, SceneError> {
+        (self.open)(request)
+    }
+}
+
+const LIBRARY: &[LibraryScene] = &[
+    LibraryScene::of::<cornell_box::CornellBox>(),
+    LibraryScene::of::<colored_room::ColoredRoom>(),
+    LibraryScene::of::<divided_room::DividedRoom>(),
+    LibraryScene::of::<studio::Studio>(),
+    LibraryScene::of::<furnace::Furnace>(),
+];
+
+/// The built-in scenes.
+pub fn library() -> &'static [LibraryScene] {
+    LIBRARY
+}
+
+/// The built-in scene of a name.
+///
+/// # Errors
+/// [`SceneError::UnknownScene`] names the nearest one.
+pub fn find(name: &str) -> Result<&'static LibraryScene, SceneError> {
+    let names = || LIBRARY.iter().map(|s| s.name);
+    LIBRARY
+        .iter()
+        .find(|s| s.name == name)
+        .ok_or_else(|| SceneError::UnknownScene {
+            name: name.into(),
+            hint: params::nearest(name, names())
+                .map(|n| format!(", did you mean `{n}`?"))
+                .unwrap_or_default(),
+            known: names().collect::<Vec<_>>().join(", "),
+        })
+}

@@ -1,0 +1,97 @@
+//! Scenes from files: `.toml`, and `.obj` as it is.
+
+use super::build::{Parts, bounds_of};
+use super::obj::{self, MissingNormals};
+use super::{SceneRequest, Setting, assemble, toml};
+use crate::library::receiver::{self, Look};
+use crate::params::{Field, Params};
+use crate::{Material, Place, Role, Scene, SceneError};
+use glam::Vec3;
+use std::path::Path;
+
+/// Settings of scenes that come from a file: the receiver that is added on request.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FileSettings {
+    fraction: f32,
+    look: Look,
+}
+
+impl Default for FileSettings {
+    fn default() -> Self {
+        Self {
+            fraction: 0.3,
+            look: Look::default(),
+        }
+    }
+}
+
+receiver::has_look!(FileSettings);
+
+impl Params for FileSettings {
+    fn fields() -> Vec<Field<Self>> {
+        let mut fields = vec![Field::f32(
+            "receiver.fraction",
+            "longest side of an added receiver, relative to the scene's shortest",
+            0.001..=1.0,
+            |s: &Self| s.fraction,
+            |s, v| s.fraction = v,
+        )];
+        fields.extend(receiver::look_fields());
+        fields
+    }
+}
+
+/// Opens a scene file.
+pub(super) fn open_toml(path: &Path, request: &SceneRequest) -> Result<Scene, SceneError> {
+    let mut file = toml::read(path)?;
+    add_receiver(&mut file.parts, request)?;
+    if file.parts.objects.is_empty() {
+        let what = "there is no mesh in the scene";
+        return Err(Place::file(path).error(what, "add a `[[mesh]]` table"));
+    }
+    let name = file.name.unwrap_or_else(|| stem(path));
+    Ok(assemble(name, file.parts, file.setting))
+}
+
+/// Opens an OBJ file as a scene: one object, its faces flat unless it brings normals.
+pub(super) fn open_obj(path: &Path, request: &SceneRequest) -> Result<Scene, SceneError> {
+    let grey = Material::diffuse(Vec3::splat(0.7));
+    let mut parts = Parts::default();
+    parts.add(
+        stem(path),
+        Role::Environment,
+        obj::load(path, grey, MissingNormals::Flat)?,
+    );
+    add_receiver(&mut parts, request)?;
+    Ok(assemble(stem(path), parts, Setting::default()))
+}
+
+fn stem(path: &Path) -> String {
+    path.file_stem()
+        .unwrap_or(path.as_os_str())
+        .to_string_lossy()
+        .into()
+}
+
+/// Replaces the receivers by the one asked for, in the middle of the other objects' bounding box.
+fn add_receiver(parts: &mut Parts, request: &SceneRequest) -> Result<(), SceneError> {
+    let settings: FileSettings = request.settings()?;
+    let Some(name) = &request.receiver else {
+        return Ok(());
+    };
+    parts.objects.retain(|o| o.role != Role::Receiver);
+    let (lo, hi) = bounds_of(&parts.objects).unwrap_or((Vec3::splat(-0.5), Vec3::splat(0.5)));
+    let sides = (hi - lo).to_array();
+    // A flat scene's shortest side is the shortest that is there at all.
+    let shortest = sides
+        .into_iter()
+        .filter(|s| *s > 0.0)
+        .fold(f32::INFINITY, f32::min);
+    let model = receiver::model(name, settings.fraction * shortest, &settings.look)?;
+    parts.add(
+        receiver::name_of(name),
+        Role::Receiver,
+        model.moved(0.5 * lo + 0.5 * hi),
+    );
+    Ok(())
+}

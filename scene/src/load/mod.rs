@@ -1,0 +1,113 @@
+//! Scenes from the library, from scene files and from meshes; images and point lists.
+
+pub(crate) mod build;
+mod file;
+mod framing;
+mod image;
+mod mtl;
+pub(crate) mod obj;
+mod points;
+#[cfg(test)]
+mod tests;
+mod text;
+mod toml;
+
+pub use file::FileSettings;
+pub use image::load as open_image;
+pub use points::open_points;
+
+use crate::{Camera, Environment, Light, Scene, SceneError, library, params};
+use build::Parts;
+use glam::Vec3;
+use std::path::{Path, PathBuf};
+
+/// Which scene is wanted, and what is to be different in it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SceneRequest {
+    /// Name of a scene of the library, or the path of a `.toml` or `.obj` file.
+    pub source: String,
+    /// `sphere`, `torus`, `blob`, or the path of an `.obj` file. In a scene of the library it
+    /// replaces the receiver; in a scene file it replaces all receivers and stands in the middle
+    /// of the scene's bounding box.
+    pub receiver: Option<String>,
+    /// An `.hdr` or `.exr` file that becomes the scene's environment.
+    pub environment: Option<PathBuf>,
+    /// Reference point of cube captures, in metres.
+    pub reference_point: Option<Vec3>,
+    /// Scene settings, name and value, without the leading `scene.`.
+    pub set: Vec<(String, String)>,
+}
+
+impl SceneRequest {
+    /// A scene as it comes.
+    pub fn new(source: impl Into<String>) -> Self {
+        Self {
+            source: source.into(),
+            ..Self::default()
+        }
+    }
+
+    /// The scene settings as asked for, on top of their defaults.
+    pub(crate) fn settings<P: params::Params>(&self) -> Result<P, SceneError> {
+        let mut settings = P::default();
+        for (name, value) in &self.set {
+            params::set(&mut settings, name, value)?;
+        }
+        Ok(settings)
+    }
+}
+
+/// Opens a scene.
+///
+/// # Errors
+/// [`SceneError`], one line that says where, what and what to do, for anything that can't be used.
+pub fn open(request: &SceneRequest) -> Result<Scene, SceneError> {
+    let path = Path::new(&request.source);
+    let ending = path
+        .extension()
+        .and_then(|e| e.to_str())
+        .map(str::to_ascii_lowercase);
+    let mut scene = match ending.as_deref() {
+        Some("toml") => file::open_toml(path, request)?,
+        Some("obj") => file::open_obj(path, request)?,
+        _ => library::find(&request.source)?.open(request)?,
+    };
+    if let Some(path) = &request.environment {
+        scene.environment = Some(Environment {
+            image: image::load(path)?,
+            scale: 1.0,
+            rotate_deg: 0.0,
+        });
+    }
+    if let Some(o) = request.reference_point {
+        scene.reference_point = o;
+    }
+    scene.validate()?;
+    Ok(scene)
+}
+
+/// What a scene has beside its objects; what is `None` follows from them.
+#[derive(Default)]
+pub(crate) struct Setting {
+    pub(crate) lights: Vec<Light>,
+    pub(crate) environment: Option<Environment>,
+    pub(crate) camera: Option<Camera>,
+    pub(crate) reference_point: Option<Vec3>,
+}
+
+/// Puts a scene together.
+pub(crate) fn assemble(name: impl Into<String>, parts: Parts, setting: Setting) -> Scene {
+    Scene {
+        name: name.into(),
+        camera: setting
+            .camera
+            .unwrap_or_else(|| framing::default_camera(&parts)),
+        reference_point: setting
+            .reference_point
+            .unwrap_or_else(|| parts.default_reference_point()),
+        objects: parts.objects,
+        materials: parts.materials,
+        lights: setting.lights,
+        environment: setting.environment,
+    }
+}

@@ -1,0 +1,169 @@
+use super::{TRIANGLE, refuse};
+
+#[test]
+fn malformed_scene_files() {
+    let cases = [
+        (
+            "naem = \"x\"\n",
+            "DIR/s.toml:1: unknown field `naem`, expected one of `name`, `reference_point`, `camera`, `mesh`, `light`; did you mean `name`?",
+        ),
+        (
+            "name = \n",
+            "DIR/s.toml:1: string values must be quoted, expected literal string; mend this line",
+        ),
+        (
+            "name = \"x\"\n",
+            "DIR/s.toml: there is no mesh in the scene; add a `[[mesh]]` table",
+        ),
+        (
+            "[[mesh]]\nrole = \"receiver\"\n",
+            "DIR/s.toml:1: a mesh needs either `file` or `shape`; give one of them",
+        ),
+        (
+            "[[mesh]]\nfile = \"none.obj\"\n",
+            "DIR/s.toml:2: there is no file `DIR/none.obj`; name a file relative to this one",
+        ),
+        (
+            "[[mesh]]\nfile = \"bad.obj\"\n",
+            "DIR/bad.obj:1: `x` is not a number; give a number",
+        ),
+        (
+            "[[mesh]]\nshape = \"sphere\"\nrole = \"reciever\"\n",
+            "DIR/s.toml:3: unknown variant `reciever`, expected `environment` or `receiver`; did you mean `receiver`?",
+        ),
+        (
+            "[[mesh]]\nshape = \"sphere\"\nradius = -1\n",
+            "DIR/s.toml:3: `radius` is -1.0; use a number above 0",
+        ),
+        (
+            "[[mesh]]\nshape = \"sphere\"\nsize = [1, 1]\n",
+            "DIR/s.toml:3: `size` means nothing to the shape `sphere`; remove it; allowed: radius",
+        ),
+        (
+            "[[mesh]]\nshape = \"box\"\nsize = [1, 1]\n",
+            "DIR/s.toml:3: `size` is [1.0, 1.0]; give 3 numbers above 0",
+        ),
+        (
+            "[[mesh]]\nfile = \"good.obj\"\nradius = 1\n",
+            "DIR/s.toml:3: `radius` means nothing to a mesh from a file; remove it",
+        ),
+        (
+            "[[mesh]]\nshape = \"sphere\"\nmotion = { kind = \"turn\" }\n",
+            "DIR/s.toml:3: `motion` is not supported yet; remove it: the mesh then stands still",
+        ),
+        (
+            "[[mesh]]\nshape = \"sphere\"\ntranslate = [0, nan, 0]\n",
+            "DIR/s.toml:3: `translate` is [0.0, NaN, 0.0]; use finite numbers",
+        ),
+        (
+            "[[mesh]]\nshape = \"sphere\"\ntranslate = [0, 1]\n",
+            "DIR/s.toml:3: invalid length 2, expected an array of length 3; mend this line",
+        ),
+        (
+            "[[mesh]]\nshape = \"sphere\"\nscale = 0\n",
+            "DIR/s.toml:3: `scale` is 0.0; use a number above 0",
+        ),
+        (
+            "[[mesh]]\nshape = \"sphere\"\nfit = \"big\"\n",
+            "DIR/s.toml:3: invalid type: string \"big\", expected f32; mend this line",
+        ),
+        (
+            "[[mesh]]\nshape = \"sphere\"\nmaterial = { albdo = [1, 1, 1] }\n",
+            "DIR/s.toml:3: unknown field `albdo`, expected one of `albedo`, `specular`, `shininess`, `emission`, `mirror`; did you mean `albedo`?",
+        ),
+        (
+            "[[mesh]]\nshape = \"sphere\"\nmaterial = { albedo = [2, 1, 1] }\n",
+            "DIR/s.toml:3: `albedo` is [2.0, 1.0, 1.0]; use numbers from 0 to 1",
+        ),
+        (
+            "[[mesh]]\nshape = \"sphere\"\nmaterial = { specular = [0.5, 0.5, 0.5] }\n",
+            "DIR/s.toml:3: the surface reflects more than it receives: albedo [0.7, 0.7, 0.7] + specular [0.5, 0.5, 0.5] exceeds 1; lower one of them",
+        ),
+        (
+            "[[mesh]]\nshape = \"sphere\"\nscale = 1e38\nradius = 1e3\n",
+            "scene `s`: object `sphere`: vertex 0 is at [NaN, NaN, NaN]; mend the mesh or its transform",
+        ),
+    ];
+    let beside = [("good.obj", TRIANGLE), ("bad.obj", "v x\n")];
+    for (content, expected) in cases {
+        refuse(&[("s.toml", content), beside[0], beside[1]], expected);
+    }
+}
+
+#[test]
+fn malformed_lights_and_cameras() {
+    let cases = [
+        (
+            "[[light]]\nposition = [0, 0, 0]\n",
+            "DIR/s.toml:3: missing field `kind`; add `kind = …`",
+        ),
+        (
+            "[[light]]\nkind = \"pont\"\n",
+            "DIR/s.toml:4: unknown variant `pont`, expected one of `point`, `spot`, `directional`, `area`, `environment`; did you mean `point`?",
+        ),
+        (
+            "[[light]]\nkind = \"point\"\nintensity = [1, 1, 1]\n",
+            "DIR/s.toml:3: a point light needs `position`; add `position = …`",
+        ),
+        (
+            "[[light]]\nkind = \"point\"\nposition = [0, 0, 0]\n",
+            "DIR/s.toml:3: a point light needs `intensity` or `flux`; add `intensity = [r, g, b]` in W/sr or `flux = [r, g, b]` in W",
+        ),
+        (
+            "[[light]]\nkind = \"point\"\nposition = [0, 0, 0]\nintensity = [1, 1, 1]\nflux = [1, 1, 1]\n",
+            "DIR/s.toml:7: both `intensity` and `flux` are given; keep one",
+        ),
+        (
+            "[[light]]\nkind = \"point\"\nposition = [0, 0, 0]\nintensity = [1, -1, 1]\n",
+            "DIR/s.toml:6: `intensity` is [1.0, -1.0, 1.0]; use numbers of at least 0",
+        ),
+        (
+            "[[light]]\nkind = \"point\"\nposition = [0, 0, 0]\nirradiance = [1, 1, 1]\n",
+            "DIR/s.toml:6: `irradiance` means nothing to a point light; remove it; allowed: position, intensity, flux",
+        ),
+        (
+            "[[light]]\nkind = \"spot\"\nposition = [0, 0, 0]\ndirection = [0, 0, 0]\nangle_deg = 90\nintensity = [1, 1, 1]\n",
+            "DIR/s.toml:6: `direction` has length zero; give a direction",
+        ),
+        (
+            "[[light]]\nkind = \"spot\"\nposition = [0, 0, 0]\ndirection = [0, 1, 0]\nangle_deg = 180\nintensity = [1, 1, 1]\n",
+            "DIR/s.toml:7: `angle_deg` is 180.0; use an angle between 0 and 180 degrees",
+        ),
+        (
+            "[[light]]\nkind = \"spot\"\nposition = [0, 0, 0]\ndirection = [0, 1, 0]\nup = [0, 2, 0]\nangle_deg = 90\nintensity = [1, 1, 1]\n",
+            "DIR/s.toml:7: `up` is parallel to `direction`; turn it away",
+        ),
+        (
+            "[[light]]\nkind = \"environment\"\n",
+            "DIR/s.toml:3: an environment light needs either `file` or `constant`; give one of them",
+        ),
+        (
+            "[[light]]\nkind = \"environment\"\nconstant = [1, 1, 1]\n[[light]]\nkind = \"environment\"\nconstant = [1, 1, 1]\n",
+            "DIR/s.toml:6: a second environment light; keep one",
+        ),
+        (
+            "[camera]\neye = [0, 0, 1]\n",
+            "DIR/s.toml:3: missing field `target`; add `target = …`",
+        ),
+        (
+            "[camera]\neye = [0, 0, 1]\ntarget = [0, 0, 1]\n",
+            "DIR/s.toml:3: `eye` and `target` are the same point; move one",
+        ),
+        (
+            "[camera]\neye = [0, 0, 1]\ntarget = [0, 1, 1]\n",
+            "DIR/s.toml:3: `up` is parallel to the view direction; turn `up` away from the view direction",
+        ),
+        (
+            "[camera]\neye = [0, 0, 1]\ntarget = [0, 0, 0]\nvfov_deg = 0\n",
+            "DIR/s.toml:6: `vfov_deg` is 0.0; use an angle between 0 and 180 degrees",
+        ),
+        (
+            "[camera]\neye = [0, 0, 1]\ntarget = [0, 0, 0]\nresolution = [0, 512]\n",
+            "DIR/s.toml:6: `resolution` is [0, 512]; use 1 to 16384 pixels",
+        ),
+    ];
+    for (content, expected) in cases {
+        let content = format!("[[mesh]]\nshape = \"quad\"\n{content}");
+        refuse(&[("s.toml", &content)], expected);
+    }
+}

@@ -1,0 +1,227 @@
+//! `[[light]]` tables.
+
+use super::source::{Key, Source};
+use super::{Lamp, Vector};
+use crate::{Environment, Light, SceneError, SpotShape, load};
+use glam::Vec3;
+use serde::Deserialize;
+use std::f32::consts::{PI, TAU};
+use std::path::PathBuf;
+use toml::Spanned;
+
+#[derive(Clone, Copy, Deserialize)]
+#[serde(rename_all = "snake_case")]
+enum Kind {
+    Point,
+    Spot,
+    Directional,
+    Area,
+    Environment,
+}
+
+#[derive(Clone, Copy, Deserialize)]
+#[serde(rename_all = "snake_case")]
+enum Shape {
+    Cone,
+    Square,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct LightTable {
+    kind: Kind,
+    position: Option<Vector>,
+    direction: Option<Vector>,
+    up: Option<Vector>,
+    shape: Option<Spanned<Shape>>,
+    angle_deg: Option<Spanned<f32>>,
+    intensity: Option<Vector>,
+    flux: Option<Vector>,
+    irradiance: Option<Vector>,
+    normal: Option<Vector>,
+    area: Option<Spanned<f32>>,
+    file: Option<Spanned<PathBuf>>,
+    constant: Option<Vector>,
+    scale: Option<Spanned<f32>>,
+    rotate_deg: Option<Spanned<f32>>,
+}
+
+impl Kind {
+    /// How messages call it, and the keys that it takes.
+    fn keys(self) -> (&'static str, &'static [&'static str]) {
+        match self {
+            Self::Point => ("a point light", &["position", "intensity", "flux"]),
+            Self::Spot => (
+                "a spot light",
+                &[
+                    "position",
+                    "direction",
+                    "up",
+                    "shape",
+                    "angle_deg",
+                    "intensity",
+                    "flux",
+                ],
+            ),
+            Self::Directional => ("a directional light", &["direction", "irradiance"]),
+            Self::Area => ("an area light", &["position", "normal", "area", "flux"]),
+            Self::Environment => (
+                "an environment light",
+                &["file", "constant", "scale", "rotate_deg"],
+            ),
+        }
+    }
+}
+
+impl LightTable {
+    /// The light that the table describes; `whole` is the table with its place.
+    pub(super) fn load(
+        &self,
+        source: &Source<'_>,
+        whole: &Spanned<Self>,
+    ) -> Result<Lamp, SceneError> {
+        let (called, allowed) = self.kind.keys();
+        source.only(self.given(), allowed, called)?;
+        let vector = |key: &str, value| source.required(whole, key, value, called);
+        let position = || source.vector("position", vector("position", &self.position)?);
+        let direction = || source.direction("direction", vector("direction", &self.direction)?);
+        Ok(Lamp::Light(match self.kind {
+            Kind::Point => Light::Point {
+                position: position()?,
+                intensity: self.intensity(source, whole, 2.0 * TAU)?,
+            },
+            Kind::Spot => {
+                let angle = source.required(whole, "angle_deg", &self.angle_deg, called)?;
+                let angle_deg = source.angle("angle_deg", angle)?;
+                let shape = self.shape();
+                let direction = direction()?;
+                Light::Spot {
+                    position: position()?,
+                    direction,
+                    up: self.up(source, direction)?,
+                    shape,
+                    angle_deg,
+                    intensity: self.intensity(source, whole, frustum_sr(shape, angle_deg))?,
+                }
+            }
+            Kind::Directional => Light::Directional {
+                direction: direction()?,
+                irradiance: source.power("irradiance", vector("irradiance", &self.irradiance)?)?,
+            },
+            Kind::Area => {
+                let area = source.required(whole, "area", &self.area, called)?;
+                Light::Area {
+                    position: position()?,
+                    normal: source.direction("normal", vector("normal", &self.normal)?)?,
+                    area_m2: source.positive("area", area)?,
+                    flux: source.power("flux", vector("flux", &self.flux)?)?,
+                }
+            }
+            Kind::Environment => return self.environment(source, whole).map(Lamp::Environment),
+        }))
+    }
+
+    fn given(&self) -> [Option<Key>; 14] {
+        [
+            Key::of("position", &self.position),
+            Key::of("direction", &self.direction),
+            Key::of("up", &self.up),
+            Key::of("shape", &self.shape),
+            Key::of("angle_deg", &self.angle_deg),
+            Key::of("intensity", &self.intensity),
+            Key::of("flux", &self.flux),
+            Key::of("irradiance", &self.irradiance),
+            Key::of("normal", &self.normal),
+            Key::of("area", &self.area),
+            Key::of("file", &self.file),
+            Key::of("constant", &self.constant),
+            Key::of("scale", &self.scale),
+            Key::of("rotate_deg", &self.rotate_deg),
+        ]
+    }
+
+    fn shape(&self) -> SpotShape {
+        match self.shape.as_ref().map(Spanned::get_ref) {
+            Some(Shape::Square) => SpotShape::Square,
+            Some(Shape::Cone) | None => SpotShape::Cone,
+        }
+    }
+
+    /// Intensity in W/sr, as given or as the flux in W spread over the light's solid angle.
+    fn intensity(
+        &self,
+        source: &Source<'_>,
+        whole: &Spanned<Self>,
+        omega_sr: f32,
+    ) -> Result<Vec3, SceneError> {
+        match (&self.intensity, &self.flux) {
+            (Some(intensity), None) => source.power("intensity", intensity),
+            (None, Some(flux)) => Ok(source.power("flux", flux)? / omega_sr),
+            (Some(_), Some(flux)) => {
+                let what = "both `intensity` and `flux` are given";
+                Err(source.at(flux).error(what, "keep one"))
+            }
+            (None, None) => {
+                let what = format!("{} needs `intensity` or `flux`", self.kind.keys().0);
+                Err(source.at(whole).error(
+                    what,
+                    "add `intensity = [r, g, b]` in W/sr or `flux = [r, g, b]` in W",
+                ))
+            }
+        }
+    }
+
+    /// The upward direction, made orthogonal to the axis; by default from +y, or from +z where the
+    /// axis is nearly vertical.
+    fn up(&self, source: &Source<'_>, axis: Vec3) -> Result<Vec3, SceneError> {
+        let given = match &self.up {
+            Some(up) => source.direction("up", up)?,
+            None if axis.y.abs() < 0.99 => Vec3::Y,
+            None => Vec3::Z,
+        };
+        let across = given - axis * given.dot(axis);
+        // 1e-4: below it the direction is rounding.
+        match (across.length() > 1e-4, &self.up) {
+            (false, Some(up)) => {
+                let what = "`up` is parallel to `direction`";
+                Err(source.at(up).error(what, "turn it away"))
+            }
+            _ => Ok(across.normalize()),
+        }
+    }
+
+    fn environment(
+        &self,
+        source: &Source<'_>,
+        whole: &Spanned<Self>,
+    ) -> Result<Environment, SceneError> {
+        let base = match (&self.file, &self.constant) {
+            (Some(file), None) => Environment {
+                image: load::open_image(&source.path_of(file)?)?,
+                scale: 1.0,
+                rotate_deg: 0.0,
+            },
+            (None, Some(radiance)) => Environment::constant(source.power("constant", radiance)?),
+            _ => {
+                let what = "an environment light needs either `file` or `constant`";
+                return Err(source.at(whole).error(what, "give one of them"));
+            }
+        };
+        let (scale, turn) = (self.scale.as_ref(), self.rotate_deg.as_ref());
+        Ok(Environment {
+            scale: scale.map_or(Ok(1.0), |v| source.not_negative("scale", v))?,
+            rotate_deg: turn.map_or(Ok(0.0), |v| source.number("rotate_deg", v))?,
+            ..base
+        })
+    }
+}
+
+/// Solid angle of a frustum in sr: 2π(1 − cos h) of a cone, 4·asin(sin² h) of a square pyramid, h
+/// half the full angle.
+fn frustum_sr(shape: SpotShape, angle_deg: f32) -> f32 {
+    let half = 0.5 * angle_deg.to_radians();
+    match shape {
+        SpotShape::Cone => 2.0 * PI * (1.0 - half.cos()),
+        SpotShape::Square => 4.0 * half.sin().powi(2).asin(),
+    }
+}

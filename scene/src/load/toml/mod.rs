@@ -1,0 +1,134 @@
+//! Scene files in TOML.
+//!
+//! ```toml
+//! name = "my-room"                       # default: the file's name
+//! reference_point = [0.0, 0.0, 0.0]      # default: centre of the receivers' box, or of the scene's
+//! [camera]                               # default: see the whole scene
+//! eye = [0.0, 0.0, 3.0]
+//! target = [0.0, 0.0, 0.0]
+//! up = [0.0, 1.0, 0.0]                   # default
+//! vfov_deg = 45.0                        # default
+//! resolution = [512, 512]                # default
+//! [[mesh]]
+//! file = "room.obj"                      # relative to this file; or shape = "sphere", …
+//! [[light]]
+//! kind = "point"
+//! position = [0.0, 0.9, 0.0]
+//! intensity = [1.0, 1.0, 1.0]            # W/sr; or flux in W
+//! ```
+
+mod light;
+mod mesh;
+mod source;
+
+use super::build::Parts;
+use super::{Setting, text};
+use crate::{Camera, Environment, Light, SceneError};
+use glam::Vec3;
+use light::LightTable;
+use mesh::MeshTable;
+use serde::Deserialize;
+use source::Source;
+use std::path::Path;
+use toml::Spanned;
+
+type Vector = Spanned<[f32; 3]>;
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct SceneTable {
+    name: Option<String>,
+    reference_point: Option<Vector>,
+    camera: Option<Spanned<CameraTable>>,
+    #[serde(default)]
+    mesh: Vec<Spanned<MeshTable>>,
+    #[serde(default)]
+    light: Vec<Spanned<LightTable>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct CameraTable {
+    eye: Vector,
+    target: Vector,
+    up: Option<Vector>,
+    vfov_deg: Option<Spanned<f32>>,
+    resolution: Option<Spanned<[u32; 2]>>,
+}
+
+/// What one `[[light]]` is.
+enum Lamp {
+    Light(Light),
+    Environment(Environment),
+}
+
+/// What a scene file says.
+pub(super) struct SceneFile {
+    pub(super) name: Option<String>,
+    pub(super) parts: Parts,
+    pub(super) setting: Setting,
+}
+
+/// Reads a scene file and all that it names.
+pub(super) fn read(path: &Path) -> Result<SceneFile, SceneError> {
+    let text = text::read(path)?;
+    let source = Source { path, text: &text };
+    let table: SceneTable = toml::from_str(&text).map_err(|e| source.refused(&e))?;
+    let mut parts = Parts::default();
+    for mesh in &table.mesh {
+        let (name, role, model) = mesh.get_ref().load(&source, mesh)?;
+        parts.add(name, role, model);
+    }
+    let mut setting = Setting {
+        camera: table.camera.map(|c| camera(&source, &c)).transpose()?,
+        reference_point: table
+            .reference_point
+            .map(|o| source.vector("reference_point", &o))
+            .transpose()?,
+        ..Setting::default()
+    };
+    for light in &table.light {
+        match light.get_ref().load(&source, light)? {
+            Lamp::Light(light) => setting.lights.push(light),
+            Lamp::Environment(_) if setting.environment.is_some() => {
+                let what = "a second environment light";
+                return Err(source.at(light).error(what, "keep one"));
+            }
+            Lamp::Environment(environment) => setting.environment = Some(environment),
+        }
+    }
+    Ok(SceneFile {
+        name: table.name,
+        parts,
+        setting,
+    })
+}
+
+fn camera(source: &Source<'_>, table: &Spanned<CameraTable>) -> Result<Camera, SceneError> {
+    let place = || source.at(table);
+    let table = table.get_ref();
+    let up = table.up.as_ref();
+    let camera = Camera {
+        eye: source.vector("eye", &table.eye)?,
+        target: source.vector("target", &table.target)?,
+        up: up.map_or(Ok(Vec3::Y), |v| source.direction("up", v))?,
+        vfov_deg: table
+            .vfov_deg
+            .as_ref()
+            .map_or(Ok(45.0), |v| source.angle("vfov_deg", v))?,
+        resolution: match &table.resolution {
+            Some(r) => source.resolution(r)?,
+            None => [512, 512],
+        },
+    };
+    let view = camera.target - camera.eye;
+    if view == Vec3::ZERO {
+        return Err(place().error("`eye` and `target` are the same point", "move one"));
+    }
+    // 1e-6: below it the image's horizontal axis is rounding.
+    if view.normalize().cross(camera.up).length() < 1e-6 {
+        let remedy = "turn `up` away from the view direction";
+        return Err(place().error("`up` is parallel to the view direction", remedy));
+    }
+    Ok(camera)
+}

@@ -1,0 +1,45 @@
+//! A detailed organic shape that needs no file.
+
+use super::sphere;
+use crate::{Mesh, normals};
+use glam::Vec3;
+
+/// Parts into which an edge of the icosahedron is cut: 20·32² = 20 480 triangles.
+const FREQUENCY: u32 = 32;
+
+/// Waves on the surface: wave number, amplitude relative to the radius, phase.
+const WAVES: [(f32, f32, f32); 4] = [
+    (1.9, 0.18, 0.4),
+    (3.7, 0.11, 1.9),
+    (7.3, 0.034, 4.1),
+    (14.1, 0.008, 2.6),
+];
+
+/// A closed organic surface of radius about one metre with bulges, hollows and fine ripples: a
+/// sphere displaced along its radius by waves of four sizes. It is the same on every call.
+pub fn blob() -> Mesh {
+    let mut mesh = sphere(1.0, FREQUENCY);
+    for p in &mut mesh.positions {
+        let direction = *p;
+        // Bending space before the finer waves keeps them from lining up with the axes.
+        let bent = direction + 0.35 * swirl(2.3 * direction);
+        let height: f32 = WAVES
+            .iter()
+            .map(|(number, amplitude, phase)| amplitude * gyroid(*number * bent + *phase))
+            .sum();
+        *p = direction * (1.0 + height);
+    }
+    normals::smooth(&mut mesh);
+    mesh
+}
+
+/// The gyroid's function, a smooth wave without a preferred direction; within ±1.5.
+fn gyroid(p: Vec3) -> f32 {
+    let (s, c) = (p.map(f32::sin), p.map(f32::cos));
+    s.dot(Vec3::new(c.y, c.z, c.x))
+}
+
+/// A smooth vector field that turns space around.
+fn swirl(p: Vec3) -> Vec3 {
+    Vec3::new((p.y + 0.7).sin(), (p.z + 1.3).sin(), (p.x + 2.1).sin())
+}

@@ -1,0 +1,40 @@
+#!/bin/sh
+# Installs what a build and the GPU backend need and the machine lacks: a linker for Rust and a
+# Vulkan driver. Says nothing and changes nothing if all is there.
+set -eu
+# shellcheck source=scripts/apt.sh
+. "$(dirname "$0")/apt.sh"
+
+# vulkan_driver: whether a Vulkan driver is registered, in the places where the loader looks.
+vulkan_driver() {
+    [ -n "${VK_DRIVER_FILES:-}${VK_ICD_FILENAMES:-}" ] && return 0
+    for folder in "${XDG_CONFIG_HOME:-$HOME/.config}" /etc /usr/local/share /usr/share \
+        "${XDG_DATA_HOME:-$HOME/.local/share}"; do
+        for driver in "$folder"/vulkan/icd.d/*.json; do
+            [ -e "$driver" ] && return 0
+        done
+    done
+    return 1
+}
+
+# vulkan_loader: whether the dynamic linker finds libvulkan.
+vulkan_loader() {
+    PATH="$PATH:/sbin:/usr/sbin" ldconfig -p 2>/dev/null | grep -q 'libvulkan\.so\.1'
+}
+
+if ! command -v cargo >/dev/null 2>&1; then
+    echo "interreflect: cargo is not in PATH: install Rust 1.95 or newer first" >&2
+    exit 1
+fi
+
+if ! command -v cc >/dev/null 2>&1; then
+    apt_install "a linker for Rust is missing" gcc libc6-dev
+fi
+
+[ "$(uname -s)" = Linux ] || exit 0
+if ! vulkan_driver; then
+    apt_install "no Vulkan driver is registered; installing a software one for the GPU backend" \
+        mesa-vulkan-drivers libvulkan1
+elif ! vulkan_loader; then
+    apt_install "the Vulkan loader is missing" libvulkan1
+fi

@@ -1,0 +1,4 @@
+//! Exact answers.
+
+pub mod form_factors;
+pub mod polygon;
