@@ -6,11 +6,15 @@ fn main() {
     println!("cargo::rerun-if-changed=build.rs");
     println!("cargo::rerun-if-changed=../Cargo.lock");
     println!("cargo::rustc-env=INTERREFLECT_RUSTC={}", rustc_version());
-    println!("cargo::rustc-env=INTERREFLECT_WGPU={}", locked_version("wgpu"));
+    println!(
+        "cargo::rustc-env=INTERREFLECT_WGPU={}",
+        locked_version("wgpu")
+    );
 }
 
 fn rustc_version() -> String {
-    let output = env::var_os("RUSTC").and_then(|rustc| Command::new(rustc).arg("--version").output().ok());
+    let output =
+        env::var_os("RUSTC").and_then(|rustc| Command::new(rustc).arg("--version").output().ok());
     let text = output.map(|o| String::from_utf8_lossy(&o.stdout).trim().to_owned());
     text.unwrap_or_else(|| "unknown".into())
 }

@@ -182,7 +182,7 @@ impl Bvh {
             return None;
         }
         let sum = u + v + w;
-        if !(sum.abs() > zero) {
+        if sum.abs() <= zero {
             return None; // seen edge-on, or without area: its neighbours are hit instead
         }
         let normal = (b - a).cross(c - a);

@@ -81,6 +81,8 @@ pub struct SurfaceHit {
     pub front: bool,
     /// The material.
     pub material: Material,
+    /// Role of the object.
+    pub role: Role,
     /// Index of the triangle in its [`Geometry`].
     pub triangle: u32,
 }
@@ -145,7 +147,8 @@ impl CpuScene {
         direction: DVec3,
         hit: Hit,
     ) -> SurfaceHit {
-        let (mesh, local) = objects.locate(&self.scene, hit.triangle);
+        let (object, local) = objects.locate(&self.scene, hit.triangle);
+        let mesh = &object.mesh;
         let normal = geometric_normal(mesh.corners(local));
         let front = normal.as_dvec3().dot(direction) < 0.0;
         let side = if front { 1.0 } else { -1.0 };
@@ -156,6 +159,7 @@ impl CpuScene {
             shading_normal: shading_normal(mesh, local, hit.barycentric).unwrap_or(normal) * side,
             front,
             material: self.scene.materials[mesh.materials[local] as usize],
+            role: object.role,
             triangle: hit.triangle,
         }
     }
@@ -181,7 +185,8 @@ impl Geometry {
             emitters: Emitters::default(),
         };
         geometry.emitters = Emitters::new(scene, &soup, |triangle| {
-            let (mesh, local) = geometry.locate(scene, triangle);
+            let (object, local) = geometry.locate(scene, triangle);
+            let mesh = &object.mesh;
             scene.materials[mesh.materials[local] as usize].emission
         });
         geometry
@@ -214,17 +219,14 @@ impl Geometry {
         self.bvh.occluded(origin, direction, self.ray_start(), end)
     }
 
-    /// The mesh of a triangle and the triangle's index there.
-    fn locate<'a>(&self, scene: &'a Scene, triangle: u32) -> (&'a Mesh, usize) {
+    /// The object of a triangle and the triangle's index in its mesh.
+    fn locate<'a>(&self, scene: &'a Scene, triangle: u32) -> (&'a Object, usize) {
         let at = self
             .objects
             .partition_point(|&(_, first)| first <= triangle)
             - 1;
         let (object, first) = self.objects[at];
-        (
-            &scene.objects[object as usize].mesh,
-            (triangle - first) as usize,
-        )
+        (&scene.objects[object as usize], (triangle - first) as usize)
     }
 }
 

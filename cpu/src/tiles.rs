@@ -164,7 +164,11 @@ impl CpuCx {
     /// # Panics
     /// If `out` has another length than `points`.
     pub fn for_each_tile<K: TileKernel>(&self, points: &Points, out: &mut Estimate, kernel: &K) {
-        assert_eq!(points.len(), out.len(), "an estimate is as long as its points");
+        assert_eq!(
+            points.len(),
+            out.len(),
+            "an estimate is as long as its points"
+        );
         let stride = Estimate::PLANES * LANES;
         self.pool.install(|| {
             out.blocks_mut()
@@ -217,7 +221,9 @@ impl<K: TileKernel> pulp::NullaryFnOnce for Task<'_, K> {
 #[derive(Debug, thiserror::Error)]
 pub enum CpuCxError {
     /// The processor lacks the instructions that were asked for.
-    #[error("this processor has no {0} instructions; leave the choice out to take the widest it has")]
+    #[error(
+        "this processor has no {0} instructions; leave the choice out to take the widest it has"
+    )]
     Lacking(&'static str),
     /// The operating system refused the threads.
     #[error("the threads can't be started: {0}")]
@@ -249,7 +255,11 @@ mod tests {
                 ..Point::default()
             })
         };
-        for set in [InstructionSet::Baseline, InstructionSet::Avx2, InstructionSet::Avx512] {
+        for set in [
+            InstructionSet::Baseline,
+            InstructionSet::Avx2,
+            InstructionSet::Avx512,
+        ] {
             if !set.available() {
                 println!("not run: this processor has no {}", set.name());
                 continue;

@@ -166,10 +166,10 @@ fn normals_are_the_triangles_and_turned_to_the_reference_point() {
     let scene = support::scene(vec![shell], vec![glowing(0.5, 1.0)]);
     let image = capture(&cpu(&scene), 9);
     for (i, direction) in texels(9) {
-        // 8 × 8 quads a face are up to 11° wide, so normals are off by up to 6°.
+        // 8 × 8 quads a face are 11° wide and skewed at the cube's corners: off by up to 9°.
         let normal = image.normal[i];
         assert!(
-            normal.dot(-direction.as_vec3()) > 0.994,
+            normal.dot(-direction.as_vec3()) > 0.985,
             "texel {i}: {normal}"
         );
         assert_eq!(image.radiance[i], Vec3::ZERO, "the back does not emit");

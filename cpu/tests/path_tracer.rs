@@ -1,64 +1,16 @@
-//! The path tracer against exact light.
+//! The path tracer against exact light: the full transport.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod support;
 
 use glam::Vec3;
-use interreflect_cpu::path_tracer::{LightPaths, PathQuantity, REPLICATES, Stop, Traced, trace};
-use interreflect_cpu::scene::CpuScene;
+use interreflect_cpu::path_tracer::{LightPaths, PathQuantity, trace};
 use interreflect_scene::{
     Environment, LatLongImage, Light, Material, Point, PointLayout, Points, Role, SurfaceMaterial,
 };
-use std::{f32::consts::PI, sync::Mutex};
-use support::{cpu, glowing, lit, object, point, points, quad, room, sphere, under, walls};
-
-const FULL: LightPaths = LightPaths {
-    bounces: 0,
-    indirect_visibility: true,
-    self_shadowing: true,
-    environment_at_infinity: false,
-};
-
-fn samples(count: u32) -> Stop {
-    Stop {
-        samples: Some(count),
-        ..Stop::default()
-    }
-}
-
-fn irradiance(scene: &CpuScene, points: &Points, paths: LightPaths, count: u32) -> Traced {
-    trace(
-        scene,
-        points,
-        PathQuantity::Irradiance,
-        &paths,
-        &samples(count),
-        1,
-        &|_| (),
-    )
-}
-
-/// Largest |z| over the points, in the red channel.
-fn largest_z(traced: &Traced, exact: impl Fn(usize) -> f64) -> f64 {
-    let values = traced.mean.iter().zip(traced.standard_error.iter());
-    values
-        .enumerate()
-        .map(|(i, (mean, error))| ((f64::from(mean.x) - exact(i)) / f64::from(error.x)).abs())
-        .fold(0.0, f64::max)
-}
-
-/// Points everywhere in [−1, 1]³, those near the walls included, with all kinds of normals.
-fn inside(count: usize) -> Points {
-    let spread = |i: usize, step: f64| (i as f64 * step).fract() as f32 * 1.998 - 0.999;
-    points(support::directions(count).enumerate().map(|(i, normal)| {
-        let at = Vec3::new(
-            spread(i, 0.754_877_67),
-            spread(i, 0.569_840_29),
-            spread(i, 0.318),
-        );
-        point(at, normal)
-    }))
-}
+use std::f32::consts::PI;
+use support::estimates::{FULL, inside, irradiance, largest_z, samples};
+use support::{cpu, glowing, lit, object, point, points, quad, sphere, under, walls};
 
 #[test]
 fn irradiance_in_a_room_of_radiance_one_is_pi() {
@@ -126,7 +78,7 @@ fn the_rooms_exact_irradiances_are_met_by_their_own_standard_error() {
     ));
     let vector = |row: &[f64]| Vec3::new(row[0] as f32, row[1] as f32, row[2] as f32);
     let list = points(rows.iter().map(|row| point(vector(row), vector(&row[3..]))));
-    let traced = irradiance(&scene, &list, FULL, 1024);
+    let traced = irradiance(&scene, &list, FULL, 4096);
     let z = largest_z(&traced, |i| rows[i][6]);
     // 884 normal variables stay below 4.7 with probability 0.998 (Šidák).
     assert!(z < 4.7, "largest |z| = {z}");
@@ -227,6 +179,12 @@ fn a_constant_environment_gives_pi_and_a_bright_spot_its_share() {
         scale: 0.5,
         rotate_deg: 70.0,
     });
+    // It is not seen from inside a room, and must not take anything from the room's own light.
+    let mut inside_room = walls([glowing(0.0, 1.0); 6]);
+    inside_room.environment = scene.environment.clone();
+    let traced = irradiance(&cpu(&inside_room), &points, FULL, 1024);
+    assert!(largest_z(&traced, |_| std::f64::consts::PI) < 4.0);
+
     let environment = scene.environment.clone().unwrap();
     let fine = 1000;
     let mut exact = 0.0;
@@ -315,304 +273,4 @@ fn glossy_radiance_under_a_constant_sky_is_the_lobes_albedo() {
         "{:?}",
         glossy(FULL).standard_error.iter().collect::<Vec<_>>()
     );
-}
-
-/// A receiver sphere of radius ½ in the middle of a glowing room.
-fn room_with_receiver() -> CpuScene {
-    let mut scene = walls([glowing(0.0, 1.0); 6]);
-    let mut ball = sphere(0.5, 8, false, false);
-    ball.materials.fill(6);
-    scene.materials.push(Material::diffuse(Vec3::ZERO));
-    scene.objects.push(object(Role::Receiver, ball));
-    cpu(&scene)
-}
-
-#[test]
-fn receivers_are_absent_without_self_shadowing() {
-    let scene = room_with_receiver();
-    // On the axis, facing the ball at distance d: it hides (r/d)² of the light.
-    let facing = points([point(Vec3::X * 0.9, Vec3::NEG_X)]);
-    let with = irradiance(&scene, &facing, FULL, 4096).mean.get(0).x / PI;
-    // The polyhedron of 768 triangles is up to 1 % smaller than the sphere.
-    assert!(
-        (with - (1.0 - (0.5_f32 / 0.9).powi(2))).abs() < 0.01,
-        "{with}"
-    );
-    let paths = LightPaths {
-        self_shadowing: false,
-        ..FULL
-    };
-    let without = irradiance(&scene, &facing, paths, 4096);
-    assert!(largest_z(&without, |_| std::f64::consts::PI) < 4.0);
-}
-
-#[test]
-fn all_surfaces_along_a_ray_count_without_indirect_visibility() {
-    let scene = room_with_receiver();
-    let facing = points([point(Vec3::X * 0.9, Vec3::NEG_X)]);
-    let paths = LightPaths {
-        indirect_visibility: false,
-        ..FULL
-    };
-    // The black ball hides nothing of the walls behind it.
-    let traced = irradiance(&scene, &facing, paths, 2048);
-    assert!(largest_z(&traced, |_| std::f64::consts::PI) < 4.0);
-
-    // Two rooms, one in the other, both glowing inwards, and the sky: three radiances add up.
-    let mut twice = walls([glowing(0.0, 1.0); 6]);
-    let outer = room(Vec3::splat(-2.0), Vec3::splat(2.0));
-    twice.objects.push(object(Role::Environment, outer));
-    let twice = cpu(&under(twice, 0.5));
-    let traced = irradiance(&twice, &inside(10), paths, 4096);
-    assert!(largest_z(&traced, |_| 2.5 * std::f64::consts::PI) < 4.0);
-    let traced = irradiance(&twice, &inside(10), FULL, 4096);
-    assert!(largest_z(&traced, |_| std::f64::consts::PI) < 4.0);
-}
-
-#[test]
-fn an_environment_at_infinity_depends_on_the_normal_alone() {
-    let mut scene = walls([1.0, 0.2, 0.5, 0.8, 0.3, 0.6].map(|l| glowing(0.0, l)));
-    scene.reference_point = Vec3::new(0.2, -0.1, 0.3);
-    let (here, there) = (scene.reference_point, Vec3::new(0.9, 0.9, -0.9));
-    let both = points([point(here, Vec3::NEG_X), point(there, Vec3::NEG_X)]);
-    let at_infinity = LightPaths {
-        environment_at_infinity: true,
-        ..FULL
-    };
-    let scene = cpu(&scene);
-    let far = irradiance(&scene, &both, at_infinity, 4096);
-    let local = irradiance(&scene, &both, FULL, 4096);
-    let exact = f64::from(local.mean.get(0).x);
-    // The local estimate has an error of its own: √2 times 4.
-    assert!(largest_z(&far, |_| exact) < 5.7);
-    let other = f64::from(local.mean.get(1).x);
-    assert!((other / exact - 1.0).abs() > 0.1, "{other} and {exact}");
-}
-
-#[test]
-fn openness_is_one_outside_zero_in_a_closed_room_and_half_beside_a_wall() {
-    let openness = |scene: &CpuScene, points: &Points, paths: LightPaths| {
-        let quantity = PathQuantity::AmbientOcclusion;
-        trace(scene, points, quantity, &paths, &samples(4096), 5, &|_| ())
-    };
-    let closed = cpu(&walls([glowing(0.0, 1.0); 6]));
-    assert!(
-        openness(&closed, &inside(9), FULL)
-            .mean
-            .iter()
-            .all(|a| a == Vec3::ZERO)
-    );
-    let unseen = LightPaths {
-        indirect_visibility: false,
-        ..FULL
-    };
-    assert!(
-        openness(&closed, &inside(9), unseen)
-            .mean
-            .iter()
-            .all(|a| a == Vec3::ONE)
-    );
-
-    // Beside a wall of height h at distance d: 1 − ½(1 − d/√(d² + h²)).
-    let (far, h, d) = (1000.0, 1.0, 0.5_f64);
-    let wall = quad(
-        [(-far, 0.0), (far, 0.0), (far, h), (-far, h)].map(|(z, y)| Vec3::new(0.0, y, z)),
-        0,
-    );
-    let scene = support::scene(vec![object(Role::Receiver, wall)], vec![glowing(0.5, 0.0)]);
-    let ground = points([point(Vec3::X * d as f32, Vec3::Y)]);
-    let traced = openness(&cpu(&scene), &ground, FULL);
-    let exact = 1.0 - 0.5 * (1.0 - d / (d * d + f64::from(h * h)).sqrt());
-    assert!(largest_z(&traced, |_| exact) < 4.0);
-    let absent = LightPaths {
-        self_shadowing: false,
-        ..FULL
-    };
-    assert_eq!(
-        openness(&cpu(&scene), &ground, absent).mean.get(0),
-        Vec3::ONE
-    );
-}
-
-/// A room with everything in it: emitters, lights, a mirror, gloss, a receiver, an opening.
-fn busy_scene() -> interreflect_scene::Scene {
-    let mut scene = walls([0.0, 0.3, 0.0, 0.0, 2.0, 0.0].map(|l| glowing(0.5, l)));
-    scene.materials[2] = Material {
-        specular: Vec3::splat(0.8),
-        mirror: true,
-        ..scene.materials[2]
-    };
-    scene.materials[3].specular = Vec3::splat(0.4);
-    scene.objects[0].mesh.triangles.truncate(11);
-    scene.objects[0].mesh.materials.truncate(11);
-    scene
-        .objects
-        .push(object(Role::Receiver, sphere(0.4, 6, false, true)));
-    let scene = under(scene, 0.7);
-    lit(
-        scene,
-        Light::Point {
-            position: Vec3::new(0.2, 0.7, 0.1),
-            intensity: Vec3::ONE,
-        },
-    )
-}
-
-#[test]
-fn seeds_agree_within_their_errors_and_techniques_are_unbiased() {
-    let scene = cpu(&busy_scene());
-    let list = points(support::directions(40).map(|d| point(d * 0.41, d)));
-    for indirect_visibility in [true, false] {
-        let paths = LightPaths {
-            indirect_visibility,
-            ..FULL
-        };
-        let by_seed = |seed| {
-            trace(
-                &scene,
-                &list,
-                PathQuantity::Irradiance,
-                &paths,
-                &samples(2048),
-                seed,
-                &|_| (),
-            )
-        };
-        let (a, b) = (by_seed(1), by_seed(2));
-        assert_ne!(a, b);
-        for i in 0..list.len() {
-            let difference = a.mean.get(i) - b.mean.get(i);
-            let error = a.standard_error.get(i).hypot(b.standard_error.get(i));
-            let z = difference.abs().max_element() / error.max_element();
-            assert!(
-                z < 4.5,
-                "point {i}: {} and {}",
-                a.mean.get(i),
-                b.mean.get(i)
-            );
-        }
-    }
-}
-
-trait Hypot {
-    fn hypot(self, other: Self) -> Self;
-}
-
-impl Hypot for Vec3 {
-    fn hypot(self, other: Self) -> Self {
-        (self * self + other * other).map(f32::sqrt)
-    }
-}
-
-#[test]
-fn the_number_of_threads_does_not_change_a_bit() {
-    let scene = busy_scene();
-    let list = points(support::directions(30).map(|d| point(d * 0.41, d)));
-    for indirect_visibility in [true, false] {
-        let paths = LightPaths {
-            indirect_visibility,
-            ..FULL
-        };
-        let stop = Stop {
-            samples: Some(500),
-            relative_error: Some(1e-9),
-            seconds: None,
-        };
-        let run = |threads| {
-            let pool = rayon::ThreadPoolBuilder::new()
-                .num_threads(threads)
-                .build()
-                .unwrap();
-            pool.install(|| {
-                trace(
-                    &cpu(&scene),
-                    &list,
-                    PathQuantity::Irradiance,
-                    &paths,
-                    &stop,
-                    9,
-                    &|_| (),
-                )
-            })
-        };
-        let one = run(1);
-        assert_eq!(one, run(2));
-        assert_eq!(one, run(3));
-        assert_eq!(one.samples, 512);
-        // Rounds do not change what is sampled.
-        let at_once = trace(
-            &cpu(&scene),
-            &list,
-            PathQuantity::Irradiance,
-            &paths,
-            &samples(500),
-            9,
-            &|_| (),
-        );
-        for (a, b) in one.mean.iter().zip(at_once.mean.iter()) {
-            assert!((a - b).abs().max_element() <= 1e-6 * a.max_element());
-        }
-    }
-}
-
-#[test]
-fn a_requested_error_is_reached_and_progress_ends_at_one() {
-    let scene = cpu(&busy_scene());
-    let list = points(support::directions(10).map(|d| point(d * 0.41, d)));
-    let seen = Mutex::new(Vec::new());
-    let run = |stop: &Stop| {
-        let progress = |f| seen.lock().unwrap().push(f);
-        trace(
-            &scene,
-            &list,
-            PathQuantity::Irradiance,
-            &FULL,
-            stop,
-            1,
-            &progress,
-        )
-    };
-    let stop = Stop {
-        relative_error: Some(0.02),
-        ..Stop::default()
-    };
-    let traced = run(&stop);
-    let norm = |e: &interreflect_scene::Estimate| e.iter().map(|v| v.length_squared()).sum::<f32>();
-    assert!(norm(&traced.standard_error) <= 0.02_f32.powi(2) * norm(&traced.mean) * 1.001);
-    assert!(traced.samples % REPLICATES == 0 && traced.samples < 1 << 20);
-    assert!(seen.lock().unwrap().iter().all(|f| (0.0..=1.0).contains(f)));
-    seen.lock().unwrap().clear();
-    run(&samples(320));
-    let last = seen.lock().unwrap().iter().copied().fold(0.0, f32::max);
-    assert_eq!(last, 1.0);
-}
-
-#[test]
-fn points_that_are_not_numbers_stay_alone() {
-    let scene = cpu(&walls([glowing(0.0, 1.0); 6]));
-    let nan = Point {
-        position: Vec3::NAN,
-        normal: Vec3::X,
-        ..Point::default()
-    };
-    let list = points([
-        point(Vec3::ZERO, Vec3::X),
-        Some(nan),
-        None,
-        Some(Point::default()),
-    ]);
-    for quantity in [PathQuantity::Irradiance, PathQuantity::AmbientOcclusion] {
-        let stop = Stop {
-            samples: Some(64),
-            relative_error: Some(0.5),
-            seconds: Some(5.0),
-        };
-        let traced = trace(&scene, &list, quantity, &FULL, &stop, 1, &|_| ());
-        assert!(traced.mean.get(0).is_finite());
-        assert!(traced.mean.get(1).is_nan() && traced.standard_error.get(1).is_nan());
-        assert_eq!(traced.mean.get(2), Vec3::ZERO);
-        assert!(traced.mean.get(3).is_nan(), "a normal without length");
-    }
-    let nothing = irradiance(&scene, &points([]), FULL, 10);
-    assert!(nothing.mean.is_empty());
 }

@@ -117,7 +117,7 @@ impl GpuContext {
             self.device().create_buffer(&wgpu::BufferDescriptor {
                 label: Some(label),
                 // Empty buffers can't be bound.
-                size: bytes.max(16),
+                size: bytes.max(wgpu::COPY_BUFFER_ALIGNMENT),
                 usage: usage | wgpu::BufferUsages::COPY_DST,
                 mapped_at_creation: false,
             })

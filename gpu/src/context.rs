@@ -90,6 +90,11 @@ impl GpuContext {
             .contains(wgpu::Features::FLOAT32_FILTERABLE)
     }
 
+    /// Whether times come from the device's own timestamps; from the host's clock if not.
+    pub fn device_clock(&self) -> bool {
+        self.timestamps.available()
+    }
+
     /// Pipelines built so far.
     pub fn cache_stats(&self) -> CacheStats {
         self.pipelines.stats()

@@ -2,7 +2,7 @@
 
 use crate::capture::raster::{array_view, layer_view};
 use crate::{GpuContext, GpuError};
-use glam::{Vec3, Vec4};
+use glam::Vec4;
 use interreflect_scene::{CubeImage, CubeSpec, conventions::CUBE_FACES};
 
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
@@ -135,7 +135,7 @@ impl GpuCube {
         }
         if let Some(channels) = &self.normal {
             let values: Vec<Vec4> = context.read_texture(&channels.texture)?;
-            image.normal = values.iter().map(|v| Vec3::from(v.truncate())).collect();
+            image.normal = values.iter().map(|v| v.truncate()).collect();
         }
         Ok(image)
     }

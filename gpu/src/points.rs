@@ -89,11 +89,16 @@ impl GpuPoints {
     /// Workgroups of [`LANES`] lanes that cover all points; `point_index` of the part
     /// [`crate::wgsl::POINTS`] numbers them.
     pub fn workgroups(&self) -> [u32; 3] {
-        let blocks = self.len.div_ceil(LANES);
-        let rows = blocks.div_ceil(MAX_WORKGROUPS);
-        let columns = blocks.div_ceil(rows.max(1));
-        [columns as u32, rows as u32, 1]
+        workgroup_grid(self.len.div_ceil(LANES))
     }
+}
+
+/// Rows of as many workgroups as a dispatch may have along one axis; the last row may have some to
+/// spare.
+fn workgroup_grid(blocks: usize) -> [u32; 3] {
+    let rows = blocks.div_ceil(MAX_WORKGROUPS);
+    let columns = blocks.div_ceil(rows.max(1));
+    [columns as u32, rows as u32, 1]
 }
 
 impl GpuEstimate {
@@ -133,5 +138,22 @@ impl GpuEstimate {
             what: "reading an estimate back".into(),
             reason: "the buffer has another length than it was made with".into(),
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn workgroups_cover_all_blocks_within_the_limit() {
+        assert_eq!(workgroup_grid(0), [0, 0, 1]);
+        assert_eq!(workgroup_grid(65_535), [65_535, 1, 1]);
+        for blocks in [1, 2, 65_536, 131_070, 131_071, 1_000_003] {
+            let [columns, rows, layers] = workgroup_grid(blocks).map(|n| n as usize);
+            assert!(columns <= MAX_WORKGROUPS && rows <= MAX_WORKGROUPS && layers == 1);
+            let spare = columns * rows - blocks;
+            assert!(spare < rows, "{spare} of {blocks} to spare");
+        }
     }
 }

@@ -168,7 +168,7 @@ fn copy_rows(
 }
 
 fn cast<T: Pod>(bytes: &[u8]) -> Result<Vec<T>, GpuError> {
-    let whole = size_of::<T>() > 0 && bytes.len() % size_of::<T>() == 0;
+    let whole = size_of::<T>() > 0 && bytes.len().is_multiple_of(size_of::<T>());
     if !whole {
         return Err(GpuError::Validation {
             what: "read-back".into(),

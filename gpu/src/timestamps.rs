@@ -59,6 +59,10 @@ impl TimestampPool {
         }
     }
 
+    pub(crate) fn available(&self) -> bool {
+        self.tick_ms.is_some()
+    }
+
     /// A free pair, or a new one; `None` where the device has no timestamps.
     pub(crate) fn take(&self, device: &wgpu::Device) -> Option<Timestamps> {
         self.tick_ms?;

@@ -7,6 +7,8 @@ mod capture;
 mod compute;
 #[path = "device/errors.rs"]
 mod errors;
+#[path = "device/lighting.rs"]
+mod lighting;
 #[path = "device/oracle.rs"]
 mod oracle;
 
@@ -25,7 +27,13 @@ fn main() {
         Err(reason) => eprintln!("device tests can't run: {reason}"),
     }
     let required = std::env::var_os("INTERREFLECT_REQUIRE_GPU").is_some_and(|v| v == "1");
-    let cases = [capture::CASES, compute::CASES, errors::CASES].concat();
+    let cases = [
+        capture::CASES,
+        lighting::CASES,
+        compute::CASES,
+        errors::CASES,
+    ]
+    .concat();
     let trials = cases
         .into_iter()
         .map(|case| trial(case, &context, required));
@@ -46,7 +54,8 @@ fn trial(case: Case, context: &Result<Arc<GpuContext>, GpuError>, required: bool
 /// Fails with a message unless the condition holds.
 macro_rules! ensure {
     ($condition:expr, $($message:tt)*) => {
-        if !$condition {
+        let holds: bool = $condition;
+        if !holds {
             return Err(format!($($message)*).into());
         }
     };

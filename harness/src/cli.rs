@@ -1,16 +1,16 @@
 //! The command line: what can be asked for, and one clear line where it can't.
 
+mod options;
 mod values;
 
+pub use options::{Backends, ReferenceBudget, RunOptions, SceneOptions};
 pub use values::{MaterialArg, Setting};
 
 use crate::record::Backend;
-use clap::{Args, Parser, Subcommand, ValueEnum, error::ErrorKind};
-use glam::Vec3;
-use interreflect_cpu::tiles::InstructionSet;
+use clap::{Args, Parser, Subcommand, error::ErrorKind};
 use interreflect_estimators::Quantity;
 use std::{ffi::OsString, path::PathBuf};
-use values::{choice, count, fraction, material, seconds, setting, vector};
+use values::{choice, count, material, setting};
 
 /// Measures real-time indirect-illumination estimators against a path-traced reference and
 /// against what each claims to compute.
@@ -64,10 +64,12 @@ pub struct List {
 
 /// `interreflect bench`.
 #[derive(Clone, Debug, PartialEq, Args)]
-#[command(after_help = "Without SCENE and --estimator: every estimator, fidelity, quantity and \
+#[command(
+    after_help = "Without SCENE and --estimator: every estimator, fidelity, quantity and \
 backend on the library scenes.\n\nExamples:\n  interreflect bench --out results\n  \
 interreflect bench colored-room --receiver bunny.obj --estimator localized_cubemap \
---set fidelity=corrected\n  interreflect bench --backend cpu --json > results.json")]
+--set fidelity=corrected\n  interreflect bench --backend cpu --json > results.json"
+)]
 pub struct Bench {
     /// Scenes; all of the library's if none is given
     #[arg(value_name = "SCENE")]
@@ -109,9 +111,11 @@ pub struct Bench {
 
 /// `interreflect render`.
 #[derive(Clone, Debug, PartialEq, Args)]
-#[command(after_help = "Examples:\n  interreflect render cornell-box --estimator \
+#[command(
+    after_help = "Examples:\n  interreflect render cornell-box --estimator \
 localized_cubemap --width 512 --height 512\n  interreflect render studio --estimator \
-classic_envmap --backend gpu --environment sky.hdr --out images")]
+classic_envmap --backend gpu --environment sky.hdr --out images"
+)]
 pub struct Render {
     /// Library name, .toml or .obj
     #[arg(value_name = "SCENE")]
@@ -150,11 +154,13 @@ pub struct Render {
 
 /// `interreflect probe`.
 #[derive(Clone, Debug, PartialEq, Args)]
-#[command(after_help = "FILE is a CSV with the columns x,y,z,nx,ny,nz and, for glossy radiance, \
+#[command(
+    after_help = "FILE is a CSV with the columns x,y,z,nx,ny,nz and, for glossy radiance, \
 vx,vy,vz; others are ignored.\n\nExamples:\n  interreflect probe room.obj --reference-point \
 .2,-.1,.3 --estimator localized_cubemap --set resolution=4 --points room.csv --json\n  \
 interreflect probe room.obj --estimator localized_cubemap --backend gpu --quantity \
-glossy_radiance --material .5,.5,5 --points room.csv --json")]
+glossy_radiance --material .5,.5,5 --points room.csv --json"
+)]
 pub struct Probe {
     /// Library name, .toml or .obj
     #[arg(value_name = "SCENE")]
@@ -193,9 +199,11 @@ pub struct Probe {
 
 /// `interreflect reference`.
 #[derive(Clone, Debug, PartialEq, Args)]
-#[command(after_help = "Stops at the first of --samples, --error and --seconds that is reached, \
+#[command(
+    after_help = "Stops at the first of --samples, --error and --seconds that is reached, \
 at whole rounds of samples.\n\nExamples:\n  interreflect reference divided-room --error .01 \
---seconds 60\n  interreflect reference cornell-box --points 4096 --samples 1024 --seed 7 --json")]
+--seconds 60\n  interreflect reference cornell-box --points 4096 --samples 1024 --seed 7 --json"
+)]
 pub struct ReferenceCommand {
     /// Library name, .toml or .obj
     #[arg(value_name = "SCENE")]
@@ -248,78 +256,6 @@ pub struct Compare {
     pub out: Option<PathBuf>,
 }
 
-/// Changes to a scene.
-#[derive(Clone, Debug, Default, PartialEq, Args)]
-#[command(next_help_heading = "Scene")]
-pub struct SceneOptions {
-    /// OBJ file that takes the receiver's place, scaled to its size
-    #[arg(long, value_name = "FILE")]
-    pub receiver: Option<PathBuf>,
-    /// Latitude-longitude image (HDR or EXR) as environment
-    #[arg(long, value_name = "FILE")]
-    pub environment: Option<PathBuf>,
-    /// Where cube maps are captured
-    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = vector)]
-    pub reference_point: Option<Vec3>,
-}
-
-/// How to run.
-#[derive(Clone, Debug, Default, PartialEq, Args)]
-#[command(next_help_heading = "Run")]
-pub struct RunOptions {
-    /// Vulkan adapter: part of its name, or its number in `interreflect list`
-    #[arg(long, value_name = "NAME")]
-    pub adapter: Option<String>,
-    /// Threads of the CPU backend; all if not given
-    #[arg(long, value_name = "N", value_parser = count)]
-    pub threads: Option<usize>,
-    /// Instruction set of the CPU kernels; the best that the processor has if not given
-    #[arg(long, value_name = "SET", value_parser = choice::<InstructionSet>())]
-    pub instruction_set: Option<InstructionSet>,
-    /// Seed of everything random
-    #[arg(long, value_name = "N", default_value_t = 1)]
-    pub seed: u64,
-}
-
-/// When a path-traced reference is good enough.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Args)]
-#[command(next_help_heading = "Reference")]
-pub struct ReferenceBudget {
-    /// Samples per point
-    #[arg(long, value_name = "N", value_parser = count)]
-    pub samples: Option<usize>,
-    /// Relative standard error of the mean, such as .01
-    #[arg(long, value_name = "FRACTION", value_parser = fraction)]
-    pub error: Option<f64>,
-    /// Time for each reference
-    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
-    pub seconds: Option<f64>,
-}
-
-/// One backend or both.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-#[value(rename_all = "snake_case")]
-pub enum Backends {
-    /// Host threads
-    Cpu,
-    /// A Vulkan device
-    Gpu,
-    /// First the one, then the other
-    #[default]
-    Both,
-}
-
-impl Backends {
-    /// The backends, in the order in which they run.
-    pub fn list(self) -> &'static [Backend] {
-        match self {
-            Self::Cpu => &[Backend::Cpu],
-            Self::Gpu => &[Backend::Gpu],
-            Self::Both => &[Backend::Cpu, Backend::Gpu],
-        }
-    }
-}
-
 /// A command line that leads nowhere: text to print, where, and the exit code.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Stop {
@@ -351,7 +287,10 @@ impl Cli {
 /// and where help is.
 fn one_line(message: &str) -> String {
     let reason = message.split("\nUsage:").next().unwrap_or_default();
-    let reason = reason.split("\nFor more information").next().unwrap_or_default();
+    let reason = reason
+        .split("\nFor more information")
+        .next()
+        .unwrap_or_default();
     let paragraphs = reason.trim_start_matches("error:").split("\n\n");
     let joined: Vec<String> = paragraphs
         .map(|p| p.split_whitespace().collect::<Vec<_>>().join(" "))

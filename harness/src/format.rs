@@ -5,15 +5,24 @@ use crate::record::{Comparison, Verdict};
 /// A number with three significant digits: plain from a thousandth to a million, else with a power
 /// of ten.
 pub(crate) fn number(value: f64) -> String {
+    digits(value, 3)
+}
+
+/// A deviation, whose third digit would tell nothing.
+pub(crate) fn deviation(value: f64) -> String {
+    digits(value, 2)
+}
+
+fn digits(value: f64, significant: usize) -> String {
     let magnitude = value.abs();
     if value == 0.0 {
         return "0".into();
     }
     if !(0.000_999_5..999_999.5).contains(&magnitude) {
-        return format!("{value:.2e}");
+        return format!("{value:.*e}", significant - 1);
     }
-    let decimals = (2 - magnitude.log10().floor() as i32).max(0) as usize;
-    format!("{value:.decimals$}")
+    let decimals = significant as i32 - 1 - magnitude.log10().floor() as i32;
+    format!("{value:.*}", decimals.max(0) as usize)
 }
 
 /// relMSE, as an upper bound where the reference can't resolve it.
@@ -48,6 +57,13 @@ mod tests {
             (f64::INFINITY, "inf"),
         ] {
             assert_eq!(number(value), text);
+        }
+    }
+
+    #[test]
+    fn deviations_keep_two_digits() {
+        for (value, text) in [(0.0123, "0.012"), (3.0, "3.0"), (45.6, "46")] {
+            assert_eq!(deviation(value), text);
         }
     }
 }

@@ -1,10 +1,51 @@
 //! Measures real-time indirect-illumination estimators: bench, render, probe, reference, compare.
+//!
+//! [`run`] is the whole program: hand it a registry with methods of your own and they get the
+//! command line, the comparison and the report.
 
 pub mod cli;
+mod commands;
+pub mod error;
 mod format;
+mod gallery;
+pub mod lab;
 pub mod machine;
+pub mod measure;
 pub mod metrics;
 pub mod output;
+mod progress;
 pub mod record;
 pub mod report;
+pub mod stage;
 pub mod table;
+pub mod truth;
+pub mod view;
+
+use interreflect_estimators::Registry;
+use std::ffi::OsString;
+use std::process::ExitCode;
+
+/// Runs the program with these methods and arguments (the program's own name first).
+///
+/// Exit code 0 on success, 2 on bad usage or input with one line on standard error, 1 on anything
+/// else.
+pub fn run(registry: Registry, arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let cli = match cli::Cli::parse_arguments(arguments) {
+        Ok(cli) => cli,
+        Err(cli::Stop::Information(text)) => {
+            print!("{text}");
+            return ExitCode::SUCCESS;
+        }
+        Err(cli::Stop::Usage(line)) => {
+            eprintln!("error: {line}");
+            return ExitCode::from(2);
+        }
+    };
+    match commands::run(cli, registry) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::from(error.exit_code())
+        }
+    }
+}

@@ -48,7 +48,12 @@ impl Versions {
             interreflect: env!("CARGO_PKG_VERSION").into(),
             rustc: env!("INTERREFLECT_RUSTC").into(),
             wgpu: env!("INTERREFLECT_WGPU").into(),
-            profile: if cfg!(debug_assertions) { "dev" } else { "release" }.into(),
+            profile: if cfg!(debug_assertions) {
+                "dev"
+            } else {
+                "release"
+            }
+            .into(),
         }
     }
 }
@@ -97,7 +102,11 @@ impl Machine {
     /// The first twelve digits of the commit, with `-dirty` where the source differs from it.
     pub fn commit_label(&self) -> String {
         let short = self.commit.get(..12).unwrap_or(&self.commit);
-        let suffix = if self.dirty == Some(true) { "-dirty" } else { "" };
+        let suffix = if self.dirty == Some(true) {
+            "-dirty"
+        } else {
+            ""
+        };
         format!("{short}{suffix}")
     }
 }
@@ -131,7 +140,9 @@ fn git(tree: &Path, arguments: &[&str]) -> Option<String> {
 }
 
 fn cpu_model() -> String {
-    let named = std::fs::read_to_string("/proc/cpuinfo").ok().and_then(|text| model_name(&text));
+    let named = std::fs::read_to_string("/proc/cpuinfo")
+        .ok()
+        .and_then(|text| model_name(&text));
     named.unwrap_or_else(|| format!("unknown {}", std::env::consts::ARCH))
 }
 

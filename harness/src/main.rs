@@ -1,2 +1,8 @@
 //! The `interreflect` command.
-fn main() {}
+
+use interreflect_estimators::Registry;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    interreflect::run(Registry::builtin(), std::env::args_os())
+}

@@ -23,13 +23,18 @@ pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), OutputError> {
         let folder = path.parent().filter(|p| !p.as_os_str().is_empty());
         let folder = folder.unwrap_or(Path::new("."));
         fs::create_dir_all(folder)?;
-        let mut file = tempfile::Builder::new().prefix(".partial-").tempfile_in(folder)?;
+        let mut file = tempfile::Builder::new()
+            .prefix(".partial-")
+            .tempfile_in(folder)?;
         file.write_all(bytes)?;
         readable_like_any_other(file.as_file())?;
         file.persist(path)?;
         Ok(())
     };
-    write().map_err(|source| OutputError::Write { path: path.into(), source })
+    write().map_err(|source| OutputError::Write {
+        path: path.into(),
+        source,
+    })
 }
 
 /// Temporary files are private to their owner; results are not.
@@ -69,9 +74,13 @@ pub fn write_exr(path: &Path, image: &HdrImage) -> Result<(), OutputError> {
     let encoding = exr::Encoding::SMALL_LOSSLESS;
     let layer = exr::Layer::new(size, exr::LayerAttributes::default(), encoding, channels);
     let mut bytes = io::Cursor::new(Vec::new());
-    exr::Image::from_layer(layer).write().to_buffered(&mut bytes).map_err(|e| {
-        OutputError::Encode { path: path.into(), reason: e.to_string() }
-    })?;
+    exr::Image::from_layer(layer)
+        .write()
+        .to_buffered(&mut bytes)
+        .map_err(|e| OutputError::Encode {
+            path: path.into(),
+            reason: e.to_string(),
+        })?;
     write_atomically(path, bytes.get_ref())
 }
 
@@ -96,7 +105,10 @@ pub fn read_exr(path: &Path) -> Result<HdrImage, OutputError> {
         .from_file(path);
     match read {
         Ok(read) => Ok(read.layer_data.channel_data.pixels),
-        Err(e) => Err(OutputError::Read { path: path.into(), reason: e.to_string() }),
+        Err(e) => Err(OutputError::Read {
+            path: path.into(),
+            reason: e.to_string(),
+        }),
     }
 }
 
@@ -121,7 +133,10 @@ pub(crate) fn encode_png(image: &::image::RgbaImage, path: &Path) -> Result<Vec<
     let mut bytes = io::Cursor::new(Vec::new());
     match image.write_to(&mut bytes, ::image::ImageFormat::Png) {
         Ok(()) => Ok(bytes.into_inner()),
-        Err(e) => Err(OutputError::Encode { path: path.into(), reason: e.to_string() }),
+        Err(e) => Err(OutputError::Encode {
+            path: path.into(),
+            reason: e.to_string(),
+        }),
     }
 }
 

@@ -4,9 +4,7 @@ use crate::{
     format,
     record::{Comparison, Run},
 };
-use comfy_table::{
-    CellAlignment, ColumnConstraint, ContentArrangement, LineStyle, Table, presets,
-};
+use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, LineStyle, Table, presets};
 
 /// Width of the table where there is no terminal to ask.
 const WIDTH_IN_A_PIPE: u16 = 120;
@@ -24,9 +22,14 @@ pub fn runs(runs: &[Run], width: Option<u16>) -> String {
         }
     }
     for (scene, quantity) in groups {
-        let of_group = || runs.iter().filter(move |r| r.scene == scene && r.quantity == quantity);
+        let of_group = || {
+            runs.iter()
+                .filter(move |r| r.scene == scene && r.quantity == quantity)
+        };
         let ran: Vec<&Run> = of_group().filter(|r| r.skipped.is_none()).collect();
-        let points = ran.first().map_or(String::new(), |r| format!(", {} points", r.points));
+        let points = ran
+            .first()
+            .map_or(String::new(), |r| format!(", {} points", r.points));
         text += &format!("\n{scene}: {}{points}\n", quantity.replace('_', " "));
         if !ran.is_empty() {
             text += &format!("{}\n", table(&ran, width));
@@ -81,11 +84,19 @@ const HEADER: [&str; 10] = [
 ];
 
 fn row(run: &Run) -> Vec<String> {
-    let backend = if run.software { "gpu sw".into() } else { run.backend.to_string() };
+    let backend = if run.software {
+        "gpu sw".into()
+    } else {
+        run.backend.to_string()
+    };
     let relmse = |c: &Option<Comparison>| c.as_ref().map_or_else(|| "–".into(), format::relmse);
     let judged = run.truth.as_ref().or(run.own_model.as_ref());
     let mut cells = vec![run.label(), backend];
-    cells.extend(run.phases_ms.named().map(|(_, t)| format::optional(t.map(|t| t.median))));
+    cells.extend(
+        run.phases_ms
+            .named()
+            .map(|(_, t)| format::optional(t.map(|t| t.median))),
+    );
     cells.extend([relmse(&run.own_model), relmse(&run.truth)]);
     cells.push(format::optional(judged.and_then(|c| c.energy_ratio)));
     cells
@@ -97,10 +108,18 @@ fn notes(runs: &[Run]) -> String {
         notes += "sw: software adapter, runs on the CPU; its times say nothing about a GPU\n";
     }
     let inconclusive = |c: &Comparison| c.verdict == crate::record::Verdict::Inconclusive;
-    if runs.iter().flat_map(|r| r.own_model.iter().chain(&r.truth)).any(inconclusive) {
+    if runs
+        .iter()
+        .flat_map(|r| r.own_model.iter().chain(&r.truth))
+        .any(inconclusive)
+    {
         notes += "≲: the reference's own noise hides the difference: an upper bound\n";
     }
-    if notes.is_empty() { notes } else { format!("\n{notes}") }
+    if notes.is_empty() {
+        notes
+    } else {
+        format!("\n{notes}")
+    }
 }
 
 #[cfg(test)]

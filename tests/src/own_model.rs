@@ -130,7 +130,11 @@ fn place(captured: &CubeImage, origin: DVec3, face: usize, column: u32, row: u32
     let rays = [(s0, t0), (s0, t1), (s1, t1), (s1, t0)].map(|(s, t)| cube_vector(face, s, t));
     let middle = cube_vector(face, 0.5 * (s0 + s1), 0.5 * (t0 + t1)).normalize();
     let index = texel_index(size, face, column, row);
-    let distance = captured.distance.get(index).copied().unwrap_or(f32::INFINITY);
+    let distance = captured
+        .distance
+        .get(index)
+        .copied()
+        .unwrap_or(f32::INFINITY);
     let omega_sr = texel_solid_angle_sr(size, column, row);
     if !distance.is_finite() {
         return Place::Infinity {
@@ -142,8 +146,14 @@ fn place(captured: &CubeImage, origin: DVec3, face: usize, column: u32, row: u32
     // A plane that some corner ray misses, or meets far behind, is no continuation of the surface:
     // such a texel is a quad across its middle ray.
     let slope = rays.map(|ray| -normal.dot(ray) / ray.length());
-    let facing = slope.iter().all(|&s| s > 0.2 * (height / distance) && s > 1e-3);
-    let (normal, height) = if facing { (normal, height) } else { (-middle, distance) };
+    let facing = slope
+        .iter()
+        .all(|&s| s > 0.2 * (height / distance) && s > 1e-3);
+    let (normal, height) = if facing {
+        (normal, height)
+    } else {
+        (-middle, distance)
+    };
     let corners = rays.map(|ray| origin + ray * (height / -normal.dot(ray)));
     let diagonals = (corners[2] - corners[0]).cross(corners[3] - corners[1]);
     Place::Surface {
@@ -263,7 +273,12 @@ fn near(n: DVec3, corners: &[DVec3; 4], depth: u32, add: &mut impl FnMut(f64, DV
         return;
     }
     let (ab, bc, cd, da) = ((a + b) * 0.5, (b + c) * 0.5, (c + d) * 0.5, (d + a) * 0.5);
-    for part in [[a, ab, middle, da], [ab, b, bc, middle], [middle, bc, c, cd], [da, middle, cd, d]] {
+    for part in [
+        [a, ab, middle, da],
+        [ab, b, bc, middle],
+        [middle, bc, c, cd],
+        [da, middle, cd, d],
+    ] {
         near(n, &part, depth - 1, add);
     }
 }

@@ -67,7 +67,13 @@ mod tests {
         assert!(T.check(10.0, 10.21).is_err());
         assert!(T.check(f64::NAN, 1.0).is_err());
         assert!(T.check(f64::INFINITY, f64::INFINITY).is_err());
-        assert!(T.check_all([1.0, 2.0].into_iter(), [1.0, 3.0].into_iter()).is_err());
-        assert!(T.check_all([1.0].into_iter(), [1.0, 3.0].into_iter()).is_err());
+        assert!(
+            T.check_all([1.0, 2.0].into_iter(), [1.0, 3.0].into_iter())
+                .is_err()
+        );
+        assert!(
+            T.check_all([1.0].into_iter(), [1.0, 3.0].into_iter())
+                .is_err()
+        );
     }
 }

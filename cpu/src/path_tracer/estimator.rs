@@ -89,7 +89,7 @@ impl<'a> Estimator<'a> {
             return Vec3::splat(f32::from(u8::from(open)));
         }
         let unhidden = !self.paths.indirect_visibility;
-        let mut sum = self.from_source(self.first, at.origin, &at.lobe, unhidden, sample.set(1));
+        let mut sum = self.drawn_source(self.first, at.origin, &at.lobe, unhidden, sample.set(1));
         if let Some(drawn) = drawn {
             let arriving = self.arriving(at.origin, drawn.direction, drawn.density, sample);
             sum += drawn.weight * arriving;
@@ -146,9 +146,9 @@ impl<'a> Estimator<'a> {
                 None
             } else {
                 let lobe = Lobe::of_material(at.geometric_normal, -direction, &at.material);
-                sum += throughput * self.from_lights(&at, &lobe);
+                sum += throughput * self.reflected_direct(&at, &lobe);
                 let set = sample.set(2 * bounce + 1);
-                sum += throughput * self.from_source(self.later, at.position, &lobe, false, set);
+                sum += throughput * self.drawn_source(self.later, at.position, &lobe, false, set);
                 let Some(drawn) = lobe.sample([u, v, choice]) else {
                     break;
                 };
@@ -180,7 +180,7 @@ impl<'a> Estimator<'a> {
     }
 
     /// Reflected light of the scene's lights.
-    fn from_lights(&self, at: &SurfaceHit, lobe: &Lobe) -> Vec3 {
+    fn reflected_direct(&self, at: &SurfaceHit, lobe: &Lobe) -> Vec3 {
         direct::arriving(self.scene, self.later, at)
             .map(|light| light.irradiance * lobe.evaluate(light.to_light).0)
             .sum()
@@ -188,7 +188,7 @@ impl<'a> Estimator<'a> {
 
     /// Light of a drawn source, weighted against drawing its direction from the lobe. Nothing
     /// occludes an `unhidden` leg.
-    fn from_source(
+    fn drawn_source(
         &self,
         objects: &Geometry,
         origin: DVec3,

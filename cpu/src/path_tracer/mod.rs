@@ -6,6 +6,7 @@
 //! same seed gives the same bits for any number of threads.
 
 pub(crate) mod emitters;
+mod environment;
 mod estimator;
 mod lobe;
 mod sampling;
@@ -32,9 +33,8 @@ pub const REPLICATES: u32 = 32;
 /// 31 degrees of freedom exceeds 4 × this as often as a normal variable exceeds 4.
 const STUDENT_AT_4_SIGMA: f64 = 1.1554;
 
-/// Rounding to f32 and the lift of points off their surface, relative to the estimate: no
-/// standard error is smaller.
-const FLOOR: f64 = 1e-6;
+/// Rounding to f32 and the lift of points off their surface, relative to the estimate.
+const ROUNDING: f64 = 1e-6;
 
 /// Replicates that a task samples before it looks for more work.
 const TASK: usize = 8;
@@ -45,7 +45,12 @@ pub struct Traced {
     /// The estimate; zero where a point has no surface, NaN where its data are not numbers.
     pub mean: Estimate,
     /// One standard error of `mean`, from the spread of the replicates; scaled so that |z| > 4
-    /// is as rare as for a normal variable in spite of their number. Never below 1e-6 of `mean`.
+    /// is as rare as for a normal variable in spite of their number.
+    ///
+    /// N samples may all miss a part of the hemisphere smaller than 1/N (at a point that faces a
+    /// wall closely, say) and then agree by mistake. So an error of 1/N is added in quadrature,
+    /// relative to the estimate or to the root mean square over all points, whichever is larger;
+    /// and 1e-6 of the estimate for rounding.
     pub standard_error: Estimate,
     /// Samples at each point.
     pub samples: u32,
@@ -105,28 +110,53 @@ pub fn trace(
             });
         done += count;
         if stop.relative_error.is_some() {
-            error = relative_error(&sums, done);
+            error = relative_error(&statistics(&sums, done));
         }
     }
-    traced(points.len(), &sums, done)
+    let samples = done * REPLICATES;
+    let (mut mean, mut standard_error) = (Estimate::new(points.len()), Estimate::new(points.len()));
+    for (index, (value, error)) in statistics(&sums, done).into_iter().enumerate() {
+        mean.set(index, value.as_vec3());
+        standard_error.set(index, error.as_vec3());
+    }
+    Traced {
+        mean,
+        standard_error,
+        samples,
+    }
 }
 
-/// Mean over the replicates of a point and its standard error.
-fn statistics(sums: &[DVec3], samples: u32) -> (DVec3, DVec3) {
+/// Mean and standard error of every point, after `done` samples in each replicate.
+fn statistics(sums: &[DVec3], done: u32) -> Vec<(DVec3, DVec3)> {
     let replicates = f64::from(REPLICATES);
-    let scale = 1.0 / f64::from(samples);
-    let mean = sums.iter().sum::<DVec3>() * scale / replicates;
     let squared = |v: DVec3| v * v;
-    let squares: DVec3 = sums.iter().map(|&s| squared(s * scale - mean)).sum();
-    let variance = squares / (replicates * (replicates - 1.0)) * STUDENT_AT_4_SIGMA.powi(2);
-    (mean, (variance + squared(mean * FLOOR)).map(f64::sqrt))
+    let of_point = |sums: &[DVec3]| {
+        let scale = 1.0 / f64::from(done);
+        let mean = sums.iter().sum::<DVec3>() * scale / replicates;
+        let squares: DVec3 = sums.iter().map(|&s| squared(s * scale - mean)).sum();
+        let variance = squares / (replicates * (replicates - 1.0));
+        (mean, variance * STUDENT_AT_4_SIGMA * STUDENT_AT_4_SIGMA)
+    };
+    let points: Vec<_> = sums.chunks(REPLICATES as usize).map(of_point).collect();
+    let sound = points.iter().filter(|(mean, _)| mean.is_finite());
+    let (count, sum) = sound.fold((0.0_f64, DVec3::ZERO), |(n, sum), &(mean, _)| {
+        (n + 1.0, sum + squared(mean))
+    });
+    let mean_square = sum / count.max(1.0);
+    let unseen = 1.0 / (f64::from(done) * replicates);
+    let error = |(mean, variance): (DVec3, DVec3)| {
+        // A plain maximum would lose that a mean is not a number.
+        let reference = DVec3::select(squared(mean).cmplt(mean_square), mean_square, squared(mean));
+        let least = reference * (unseen * unseen) + squared(mean) * (ROUNDING * ROUNDING);
+        (mean, (variance + least).map(f64::sqrt))
+    };
+    points.into_iter().map(error).collect()
 }
 
 /// Root of Σ standard error² over Σ estimate²; points that are not numbers are left out.
-fn relative_error(sums: &[DVec3], samples: u32) -> f32 {
+fn relative_error(statistics: &[(DVec3, DVec3)]) -> f32 {
     let (mut errors, mut squares) = (0.0, 0.0);
-    for replicates in sums.chunks(REPLICATES as usize) {
-        let (mean, error) = statistics(replicates, samples);
+    for (mean, error) in statistics {
         if mean.is_finite() && error.is_finite() {
             errors += error.length_squared();
             squares += mean.length_squared();
@@ -136,20 +166,5 @@ fn relative_error(sums: &[DVec3], samples: u32) -> f32 {
         0.0
     } else {
         (errors / squares).sqrt() as f32
-    }
-}
-
-fn traced(points: usize, sums: &[DVec3], samples: u32) -> Traced {
-    let mut mean = Estimate::new(points);
-    let mut standard_error = Estimate::new(points);
-    for (index, replicates) in sums.chunks(REPLICATES as usize).enumerate() {
-        let (value, error) = statistics(replicates, samples);
-        mean.set(index, value.as_vec3());
-        standard_error.set(index, error.as_vec3());
-    }
-    Traced {
-        mean,
-        standard_error,
-        samples: samples * REPLICATES,
     }
 }

@@ -56,7 +56,8 @@ pub(super) fn cosine_hemisphere(u: f32, v: f32) -> Vec3 {
     } else {
         (y, PI / 2.0 - PI / 4.0 * (x / y))
     };
-    let z = (1.0 - radius * radius).max(0.0).sqrt();
+    // Never on the horizon itself, where the density is 0 and the sample would be lost.
+    let z = (1.0 - radius * radius).max(f32::EPSILON).sqrt();
     Vec3::new(radius * phi.cos(), radius * phi.sin(), z)
 }
 

@@ -1,6 +1,8 @@
 //! Scenes whose light is known, made by hand.
 #![allow(dead_code, reason = "each test binary uses a part")]
 
+pub(crate) mod estimates;
+
 use glam::Vec3;
 use interreflect_cpu::scene::CpuScene;
 use interreflect_scene::{
@@ -128,11 +130,6 @@ pub(crate) fn sphere(radius: f32, n: u32, inside: bool, smooth: bool) -> Mesh {
             }
         }
     }
-    mesh
-}
-
-pub(crate) fn translate(mut mesh: Mesh, by: Vec3) -> Mesh {
-    mesh.positions.iter_mut().for_each(|p| *p += by);
     mesh
 }
 

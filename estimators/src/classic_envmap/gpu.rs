@@ -167,7 +167,11 @@ fn convolve(
     let maps = (1 + exponents.len()) * nodes;
     let maps = context.storage_zeroed("classic_envmap maps", (maps * 16) as u64)?;
     let lobes = exponents.iter().map(|&e| ("convolve_phong", e));
-    for (i, (entry, exponent)) in [("convolve_cosine", 0.0)].into_iter().chain(lobes).enumerate() {
+    for (i, (entry, exponent)) in [("convolve_cosine", 0.0)]
+        .into_iter()
+        .chain(lobes)
+        .enumerate()
+    {
         let uniform = Convolve {
             nodes: nodes as u32,
             sources: texels.len() as u32,

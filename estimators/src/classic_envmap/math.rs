@@ -27,7 +27,11 @@ pub fn texel_vector_sr(size: u32, face: usize, column: u32, row: u32) -> DVec3 {
         .sum();
     let vector = sum * 0.5;
     // s and t are left-handed on every face: turn the vector to the texel it belongs to.
-    if vector.dot(corners[0]) < 0.0 { -vector } else { vector }
+    if vector.dot(corners[0]) < 0.0 {
+        -vector
+    } else {
+        vector
+    }
 }
 
 /// (n·Ω)⁺: what a texel of radiance 1 and vector solid angle `vector` adds to the irradiance.

@@ -56,7 +56,8 @@ struct Diffuse([f32; 3]);
 impl TileKernel for Diffuse {
     #[inline(always)]
     fn shade(&self, _points: &PointLanes<'_>) -> [Wide; 3] {
-        self.0.map(|radiance| ambient_irradiance(Wide([radiance; WIDTH])))
+        self.0
+            .map(|radiance| ambient_irradiance(Wide([radiance; WIDTH])))
     }
 }
 

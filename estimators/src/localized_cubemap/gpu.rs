@@ -182,7 +182,10 @@ fn average(
         normal.into(),
     ];
     let kernel = context.kernel(&AVERAGE, entry, &bindings)?;
-    kernel.record(cx, [params.resolution, params.resolution, CUBE_FACES as u32]);
+    kernel.record(
+        cx,
+        [params.resolution, params.resolution, CUBE_FACES as u32],
+    );
     Ok(texels)
 }
 

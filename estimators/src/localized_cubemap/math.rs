@@ -87,12 +87,7 @@ pub fn reflectivity_published<L: Lane>(n_i: L, n_v: L, n_h: L, shininess: L) -> 
 /// `normalisation` is [`lobe_normalisation`] of the shininess. Takes no notice of N·V: with
 /// interpolated normals a visible point may have N·V < 0, and it is not black there.
 #[inline(always)]
-pub fn reflectivity_corrected<L: Lane>(
-    n_i: L,
-    n_h: L,
-    shininess: L,
-    normalisation: L,
-) -> (L, L) {
+pub fn reflectivity_corrected<L: Lane>(n_i: L, n_h: L, shininess: L, normalisation: L) -> (L, L) {
     let cos = n_i.max(L::splat(0.0));
     (
         cos * L::splat(FRAC_1_PI),
@@ -105,6 +100,5 @@ pub fn reflectivity_corrected<L: Lane>(
 pub fn lobe_normalisation<L: Lane>(shininess: L) -> L {
     let n = shininess;
     let two_to_minus_half_n = L::splat(0.5).lobe_power(n * L::splat(0.5));
-    (n + L::splat(2.0)) * (n + L::splat(4.0))
-        / (L::splat(8.0 * PI) * (two_to_minus_half_n + n))
+    (n + L::splat(2.0)) * (n + L::splat(4.0)) / (L::splat(8.0 * PI) * (two_to_minus_half_n + n))
 }

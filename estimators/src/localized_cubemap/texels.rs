@@ -1,8 +1,8 @@
 //! The few texels that shading sums over, and how they are made from captures.
 
-use crate::averaging::{covered, face_solid_angles_sr, mean_radiance};
 use super::math::{disc_area, texel_omega_shader, texel_omega_text};
 use super::params::{LocalizedCubemapParams, SolidAngle};
+use crate::averaging::{covered, face_solid_angles_sr, mean_radiance};
 use glam::{DVec3, Vec3};
 use interreflect_scene::CubeImage;
 use interreflect_scene::conventions::{

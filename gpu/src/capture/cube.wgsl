@@ -146,7 +146,11 @@ fn reached(light: Light, x: vec3f, normal: vec3f) -> bool {
     let first = textureLoad(shadow_maps, vec2u(column, row), light.first_layer + face, 0).r;
     let centre = vec2f(texel_centre(SHADOW_SIZE, column), texel_centre(SHADOW_SIZE, row));
     let ray = shadow_ray(light, face, centre);
-    let own = plane_distance(ray.direction, offset - ray.start, normal, along);
+    // Where the ray misses the plane, `along` is what remains to compare.
+    let cos_theta = dot(normal, ray.direction);
+    let height = dot(normal, offset - ray.start);
+    let meets = height * cos_theta > 0.0;
+    let own = select(along, height / select(1.0, cos_theta, meets), meets);
     // 0: the ray meets no surface.
     return first == 0.0 || first >= min(own, along) - texel_width;
 }

@@ -1,6 +1,7 @@
 #![allow(clippy::unwrap_used, reason = "tests")]
 use super::*;
 use clap::CommandFactory as _;
+use glam::Vec3;
 
 fn parse(line: &str) -> Result<Command, Stop> {
     let arguments = std::iter::once("interreflect").chain(line.split_whitespace());
@@ -26,15 +27,28 @@ fn a_probe_as_other_programs_call_it() {
     let Command::Probe(probe) = parse(line).unwrap() else {
         panic!("not a probe");
     };
-    assert_eq!(probe.scene_options.reference_point, Some(Vec3::new(0.2, -0.1, 0.3)));
-    assert_eq!((probe.backend, probe.json, probe.quantity), (Backend::Gpu, true, None));
-    let names: Vec<_> = probe.settings.iter().map(|s| (s.name.as_str(), s.value.as_str())).collect();
+    assert_eq!(
+        probe.scene_options.reference_point,
+        Some(Vec3::new(0.2, -0.1, 0.3))
+    );
+    assert_eq!(
+        (probe.backend, probe.json, probe.quantity),
+        (Backend::Gpu, true, None)
+    );
+    let names: Vec<_> = probe
+        .settings
+        .iter()
+        .map(|s| (s.name.as_str(), s.value.as_str()))
+        .collect();
     assert_eq!(names, [("resolution", "4"), ("fidelity", "corrected")]);
 }
 
 #[test]
 fn vectors_may_start_with_a_minus_sign() {
-    for (text, vector) in [("-1,0,0", Vec3::NEG_X), ("-.5,-1e-3,2", Vec3::new(-0.5, -1e-3, 2.0))] {
+    for (text, vector) in [
+        ("-1,0,0", Vec3::NEG_X),
+        ("-.5,-1e-3,2", Vec3::new(-0.5, -1e-3, 2.0)),
+    ] {
         for line in [
             format!("bench studio --reference-point {text}"),
             format!("bench studio --reference-point={text}"),
@@ -66,9 +80,23 @@ fn repeated_options_add_up() {
     };
     assert_eq!(bench.scenes, ["a", "b.toml"]);
     assert_eq!(bench.estimators, ["x", "y"]);
-    assert_eq!(bench.quantities.iter().map(|q| q.name()).collect::<Vec<_>>(), ["irradiance", "glossy_radiance"]);
+    assert_eq!(
+        bench
+            .quantities
+            .iter()
+            .map(|q| q.name())
+            .collect::<Vec<_>>(),
+        ["irradiance", "glossy_radiance"]
+    );
     assert_eq!(bench.settings[0].split(), (Some("x"), "resolution"));
-    assert_eq!((bench.budget.samples, bench.budget.error, bench.budget.seconds), (Some(64), Some(0.01), Some(2.5)));
+    assert_eq!(
+        (
+            bench.budget.samples,
+            bench.budget.error,
+            bench.budget.seconds
+        ),
+        (Some(64), Some(0.01), Some(2.5))
+    );
 }
 
 #[test]
@@ -77,7 +105,11 @@ fn a_material_is_three_numbers_in_range() {
     let Command::Probe(probe) = parse(line).unwrap() else {
         panic!("not a probe");
     };
-    let expected = MaterialArg { diffuse: 0.5, specular: 0.25, shininess: 5.0 };
+    let expected = MaterialArg {
+        diffuse: 0.5,
+        specular: 0.25,
+        shininess: 5.0,
+    };
     assert_eq!(probe.material, Some(expected));
 }
 
@@ -90,18 +122,33 @@ fn bad_usage_is_one_line() {
         ("bnech", &["bnech", "'bench'"]),
         ("bench --estimater x", &["--estimater", "'--estimator'"]),
         ("bench --backend cuda", &["cuda", "cpu, gpu, both"]),
-        ("bench --quantity light", &["light", "irradiance, glossy_radiance, ambient_occlusion"]),
+        (
+            "bench --quantity light",
+            &["light", "irradiance, glossy_radiance, ambient_occlusion"],
+        ),
         ("bench --threads 0", &["--threads", "1 or more"]),
         ("bench --points", &["--points", "value is required"]),
         ("bench --set resolution", &["resolution", "name=value"]),
-        ("probe room.obj", &["--estimator <ID>", "--points <FILE>", "required"]),
-        ("render a --estimator b --width 0", &["--width", "1..=16384"]),
+        (
+            "probe room.obj",
+            &["--estimator <ID>", "--points <FILE>", "required"],
+        ),
+        (
+            "render a --estimator b --width 0",
+            &["--width", "1..=16384"],
+        ),
         ("reference a --error 2", &["--error", "between 0 and 1"]),
         ("compare a.exr", &["<B>", "required"]),
         (&format!("{probe} --backend both"), &["both", "cpu, gpu"]),
         (&format!("{probe} --reference-point 1,2"), &["1,2", "x,y,z"]),
-        (&format!("{probe} --reference-point 1,2,nan"), &["nan", "x,y,z"]),
-        (&format!("{probe} --material 2,0,5"), &["2,0,5", "from 0 to 1"]),
+        (
+            &format!("{probe} --reference-point 1,2,nan"),
+            &["nan", "x,y,z"],
+        ),
+        (
+            &format!("{probe} --material 2,0,5"),
+            &["2,0,5", "from 0 to 1"],
+        ),
     ] {
         let message = usage(line);
         assert!(!message.contains('\n'), "`{line}`: {message}");
@@ -114,11 +161,21 @@ fn bad_usage_is_one_line() {
 
 #[test]
 fn help_has_examples_for_every_command() {
-    for command in ["", "list", "bench", "render", "probe", "reference", "compare"] {
+    for command in [
+        "",
+        "list",
+        "bench",
+        "render",
+        "probe",
+        "reference",
+        "compare",
+    ] {
         let Stop::Information(text) = parse(&format!("{command} --help")).unwrap_err() else {
             panic!("{command} --help is no help");
         };
         assert!(text.contains("Example"), "{command}");
     }
-    assert!(matches!(parse("--version"), Err(Stop::Information(v)) if v.starts_with("interreflect ")));
+    assert!(
+        matches!(parse("--version"), Err(Stop::Information(v)) if v.starts_with("interreflect "))
+    );
 }

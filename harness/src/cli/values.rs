@@ -55,7 +55,9 @@ pub(super) fn setting(text: &str) -> Result<Setting, String> {
 
 pub(super) fn vector(text: &str) -> Result<Vec3, String> {
     let expected = "expected three numbers x,y,z, such as .2,-.1,.3";
-    three_numbers(text).map(Vec3::from_array).ok_or_else(|| expected.into())
+    three_numbers(text)
+        .map(Vec3::from_array)
+        .ok_or_else(|| expected.into())
 }
 
 pub(super) fn material(text: &str) -> Result<MaterialArg, String> {
@@ -66,7 +68,11 @@ pub(super) fn material(text: &str) -> Result<MaterialArg, String> {
     if !albedo.contains(&diffuse) || !albedo.contains(&specular) || shininess < 0.0 {
         return Err("kd and ks must be from 0 to 1, shininess at least 0".into());
     }
-    Ok(MaterialArg { diffuse, specular, shininess })
+    Ok(MaterialArg {
+        diffuse,
+        specular,
+        shininess,
+    })
 }
 
 fn three_numbers(text: &str) -> Option<[f32; 3]> {
@@ -86,6 +92,9 @@ pub(super) fn fraction(text: &str) -> Result<f64, String> {
 }
 
 pub(super) fn seconds(text: &str) -> Result<f64, String> {
-    let number = text.parse().ok().filter(|n: &f64| *n > 0.0 && n.is_finite());
+    let number = text
+        .parse()
+        .ok()
+        .filter(|n: &f64| *n > 0.0 && n.is_finite());
     number.ok_or_else(|| "expected a time in seconds above 0, such as 30".into())
 }

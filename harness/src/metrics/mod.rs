@@ -63,11 +63,15 @@ pub fn compare(
         .map(|i| Sample {
             estimate: estimate.get(i).as_dvec3(),
             reference: reference.values.get(i).as_dvec3(),
-            standard_error: reference.standard_error.map_or(DVec3::ZERO, |e| e.get(i).as_dvec3()),
+            standard_error: reference
+                .standard_error
+                .map_or(DVec3::ZERO, |e| e.get(i).as_dvec3()),
         })
         .collect();
     if samples.is_empty() {
-        return Err(MetricsError::NoPoints { points: estimate.len() });
+        return Err(MetricsError::NoPoints {
+            points: estimate.len(),
+        });
     }
     let mut comparison = summarise(&samples);
     comparison.reference = Some(reference.description.into()).filter(|d: &String| !d.is_empty());
@@ -139,12 +143,19 @@ fn check_lengths(
 ) -> Result<(), MetricsError> {
     let others = [
         ("reference", Some(reference.values.len())),
-        ("reference's standard error", reference.standard_error.map(Estimate::len)),
+        (
+            "reference's standard error",
+            reference.standard_error.map(Estimate::len),
+        ),
         ("point list", points.map(Points::len)),
     ];
     for (what, other) in others {
         if let Some(other) = other.filter(|&len| len != estimate.len()) {
-            return Err(MetricsError::Length { estimate: estimate.len(), what, other });
+            return Err(MetricsError::Length {
+                estimate: estimate.len(),
+                what,
+                other,
+            });
         }
     }
     Ok(())
@@ -225,7 +236,11 @@ impl Relative {
 fn noise_deviation(samples: &[Sample], weight: impl Fn(&Sample) -> DVec3) -> f64 {
     let variance: f64 = samples
         .iter()
-        .map(|s| 2.0 * (s.standard_error * s.standard_error * weight(s)).element_sum().powi(2))
+        .map(|s| {
+            2.0 * (s.standard_error * s.standard_error * weight(s))
+                .element_sum()
+                .powi(2)
+        })
         .sum();
     variance.sqrt() / (3.0 * samples.len() as f64)
 }

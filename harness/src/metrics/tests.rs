@@ -25,13 +25,19 @@ fn exact(values: &Estimate) -> Reference<'_> {
 fn close(actual: Option<f64>, expected: f64) {
     let actual = actual.unwrap();
     // Sums of a handful of f32 inputs in f64: rounding of .01, .1 and the like to f32 dominates.
-    assert!((actual - expected).abs() <= 1e-6 * expected.abs(), "{actual} is not {expected}");
+    assert!(
+        (actual - expected).abs() <= 1e-6 * expected.abs(),
+        "{actual} is not {expected}"
+    );
 }
 
 #[test]
 fn metrics_by_hand() {
     // Two points, six values. Mean |r| = 12/6 = 2, so ε = 4e-4.
-    let (e, r) = (estimate(&[[1.0, 2.0, 3.0], [2.0, 2.0, 1.0]]), grey(&[1.0, 3.0]));
+    let (e, r) = (
+        estimate(&[[1.0, 2.0, 3.0], [2.0, 2.0, 1.0]]),
+        grey(&[1.0, 3.0]),
+    );
     let c = compare(&e, exact(&r), None).unwrap();
     // Errors 0 1 2 −1 −1 −2.
     close(Some(c.rmse), (11.0_f64 / 6.0).sqrt());
@@ -75,7 +81,10 @@ fn relative_metrics_ignore_the_unit_and_absolute_ones_follow_it() {
 #[test]
 fn a_zero_reference_has_no_relative_metrics() {
     let c = compare(&grey(&[0.0, 2.0]), exact(&grey(&[0.0, 0.0])), None).unwrap();
-    assert_eq!((c.relmse, c.energy_ratio, c.noise_floor), (None, None, None));
+    assert_eq!(
+        (c.relmse, c.energy_ratio, c.noise_floor),
+        (None, None, None)
+    );
     close(Some(c.rmse), 2.0_f64.sqrt());
     assert_eq!(c.verdict, Verdict::Conclusive);
 }
@@ -102,7 +111,9 @@ fn noise(seed: u64) -> impl FnMut() -> f32 {
     move || {
         let sum: f64 = (0..12)
             .map(|_| {
-                state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+                state = state
+                    .wrapping_mul(6_364_136_223_846_793_005)
+                    .wrapping_add(1_442_695_040_888_963_407);
                 (state >> 11) as f64 / (1_u64 << 53) as f64
             })
             .sum();
@@ -128,21 +139,33 @@ fn verdict(points: usize, bias: f32, sigma: f32, seed: u64) -> Comparison {
 fn a_difference_below_the_noise_is_inconclusive() {
     for seed in 0..200 {
         // A perfect estimate: the reference's noise is all there is, few points or many.
-        assert_eq!(verdict(1000, 0.0, 0.05, seed).verdict, Verdict::Inconclusive, "seed {seed}");
+        assert_eq!(
+            verdict(1000, 0.0, 0.05, seed).verdict,
+            Verdict::Inconclusive,
+            "seed {seed}"
+        );
         // A bias of three standard errors stands out of a thousand points.
-        assert_eq!(verdict(1000, 0.15, 0.05, seed).verdict, Verdict::Conclusive, "seed {seed}");
+        assert_eq!(
+            verdict(1000, 0.15, 0.05, seed).verdict,
+            Verdict::Conclusive,
+            "seed {seed}"
+        );
     }
     let c = verdict(1000, 0.0, 0.05, 1);
     // ε moves the floor by 1e-4, the noise in r² by about 3σ²; relMSE varies by √(2/1000).
     let (floor, relmse) = (c.noise_floor.unwrap(), c.relmse.unwrap());
     assert!((floor / 0.0025 - 1.0).abs() < 0.03, "floor {floor}");
-    assert!((relmse / floor - 1.0).abs() < 4.0 * (2.0_f64 / 1000.0).sqrt(), "relMSE {relmse}");
+    assert!(
+        (relmse / floor - 1.0).abs() < 4.0 * (2.0_f64 / 1000.0).sqrt(),
+        "relMSE {relmse}"
+    );
 }
 
 #[test]
 fn few_points_need_a_larger_difference() {
     let conclusive = |points| {
-        let runs = (0..2000).filter(|&s| verdict(points, 0.0, 0.05, s).verdict == Verdict::Conclusive);
+        let runs =
+            (0..2000).filter(|&s| verdict(points, 0.0, 0.05, s).verdict == Verdict::Conclusive);
         runs.count()
     };
     // With one point noise alone exceeds twice its floor in 16 % of all cases (z² > 2), and the
@@ -175,10 +198,20 @@ fn a_value_that_is_not_finite_is_an_error_that_names_the_point() {
     };
     let points = Points::new(PointLayout::Surface, [Some(surface); 3]);
     let (e, r) = (grey(&[1.0, 1.0, f32::INFINITY]), grey(&[1.0; 3]));
-    let message = compare(&e, exact(&r), Some(&points)).unwrap_err().to_string();
-    assert!(message.contains("estimate is not finite at point 2 at position [1, 2, 3]"), "{message}");
-    let message = compare(&r, exact(&e), Some(&points)).unwrap_err().to_string();
-    assert!(message.contains("reference is not finite at point 2"), "{message}");
+    let message = compare(&e, exact(&r), Some(&points))
+        .unwrap_err()
+        .to_string();
+    assert!(
+        message.contains("estimate is not finite at point 2 at position [1, 2, 3]"),
+        "{message}"
+    );
+    let message = compare(&r, exact(&e), Some(&points))
+        .unwrap_err()
+        .to_string();
+    assert!(
+        message.contains("reference is not finite at point 2"),
+        "{message}"
+    );
 }
 
 #[test]

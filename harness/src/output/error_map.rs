@@ -13,8 +13,13 @@ pub struct ErrorMap {
 }
 
 /// Five stops of equal distance, from −range to +range.
-const STOPS: [[u8; 3]; 5] =
-    [[24, 54, 128], [104, 160, 218], [245, 244, 240], [233, 140, 104], [136, 22, 30]];
+const STOPS: [[u8; 3]; 5] = [
+    [24, 54, 128],
+    [104, 160, 218],
+    [245, 244, 240],
+    [233, 140, 104],
+    [136, 22, 30],
+];
 
 /// Colour of a pixel without a surface, or of an error that is not finite.
 const NOTHING: Rgba<u8> = Rgba([128, 128, 128, 255]);
@@ -28,7 +33,10 @@ pub fn colour_stops() -> impl Iterator<Item = String> {
 /// or 5 times a power of ten, so that maps side by side share one scale. 1 if all errors are 0.
 pub fn error_range<'a>(maps: impl IntoIterator<Item = &'a ErrorMap>) -> f32 {
     let all = maps.into_iter().flat_map(|m| m.errors.iter().flatten());
-    let mut errors: Vec<f64> = all.map(|e| f64::from(e.abs())).filter(|e| e.is_finite()).collect();
+    let mut errors: Vec<f64> = all
+        .map(|e| f64::from(e.abs()))
+        .filter(|e| e.is_finite())
+        .collect();
     errors.sort_by(f64::total_cmp);
     round_up(nearest_rank(&errors, 0.99)) as f32
 }
@@ -41,7 +49,9 @@ fn round_up(value: f64) -> f64 {
     let decade = 10_f64.powf(value.log10().floor());
     // Written decimals are rarely exact in binary: 0.5 must not become 1.
     let slack = 1.0 - 1e-6;
-    let step = [1.0, 2.0, 5.0].into_iter().find(|s| value * slack <= s * decade);
+    let step = [1.0, 2.0, 5.0]
+        .into_iter()
+        .find(|s| value * slack <= s * decade);
     step.unwrap_or(10.0) * decade
 }
 
@@ -57,7 +67,9 @@ impl ErrorMap {
         let error = |i: usize| (image.pixels[i] - reference.pixels[i]).element_sum() / 3.0;
         same.then(|| Self {
             width: image.width,
-            errors: (0..image.pixels.len()).map(|i| surface(i).then(|| error(i))).collect(),
+            errors: (0..image.pixels.len())
+                .map(|i| surface(i).then(|| error(i)))
+                .collect(),
         })
     }
 
@@ -66,7 +78,9 @@ impl ErrorMap {
         let height = self.errors.len().checked_div(self.width).unwrap_or(0);
         RgbaImage::from_fn(self.width as u32, height as u32, |x, y| {
             let error = self.errors[y as usize * self.width + x as usize];
-            error.filter(|e| e.is_finite()).map_or(NOTHING, |e| colour(e / range))
+            error
+                .filter(|e| e.is_finite())
+                .map_or(NOTHING, |e| colour(e / range))
         })
     }
 
@@ -81,14 +95,20 @@ impl ErrorMap {
         let height = text_top + TEXT_HEIGHT + MARGIN;
         let mut canvas = RgbaImage::from_pixel(width, height, Rgba([255, 255, 255, 255]));
         image::imageops::replace(&mut canvas, &map, 0, 0);
-        for (x, y) in (0..width).flat_map(|x| (bar_top..bar_top + BAR_HEIGHT).map(move |y| (x, y))) {
+        for (x, y) in (0..width).flat_map(|x| (bar_top..bar_top + BAR_HEIGHT).map(move |y| (x, y)))
+        {
             let t = 2.0 * (x as f32 + 0.5) / width as f32 - 1.0;
             canvas.put_pixel(x, y, colour(t));
         }
         let [low, zero, high] = &labels;
         write(&mut canvas, low, MARGIN, text_top);
         write(&mut canvas, zero, (width - text_width(zero)) / 2, text_top);
-        write(&mut canvas, high, width - MARGIN - text_width(high), text_top);
+        write(
+            &mut canvas,
+            high,
+            width - MARGIN - text_width(high),
+            text_top,
+        );
         canvas
     }
 }
@@ -179,7 +199,14 @@ mod tests {
 
     #[test]
     fn pixels_without_a_surface_are_grey_and_set_no_range() {
-        let (image, reference) = (HdrImage { width: 2, height: 1, pixels: vec![Vec3::ONE, Vec3::splat(900.0)] }, HdrImage::new(2, 1));
+        let (image, reference) = (
+            HdrImage {
+                width: 2,
+                height: 1,
+                pixels: vec![Vec3::ONE, Vec3::splat(900.0)],
+            },
+            HdrImage::new(2, 1),
+        );
         let map = ErrorMap::new(&image, &reference, |i| i == 0).unwrap();
         assert_eq!(map.coloured(1.0).get_pixel(1, 0), &NOTHING);
         assert_eq!(error_range([&map]), 1.0);
@@ -191,7 +218,13 @@ mod tests {
         assert_eq!(error_range([&map(&[0.03, -0.01]), &map(&[-0.11])]), 0.2);
         assert_eq!(error_range([&map(&[0.0])]), 1.0);
         assert_eq!(error_range([]), 1.0);
-        for (value, rounded) in [(0.5, 0.5), (0.51, 1.0), (1e-3, 1e-3), (7.0, 10.0), (2.1, 5.0)] {
+        for (value, rounded) in [
+            (0.5, 0.5),
+            (0.51, 1.0),
+            (1e-3, 1e-3),
+            (7.0, 10.0),
+            (2.1, 5.0),
+        ] {
             assert!((round_up(value) / rounded - 1.0).abs() < 1e-9, "{value}");
         }
     }
@@ -199,10 +232,18 @@ mod tests {
     #[test]
     fn the_colour_bar_states_the_range() {
         let picture = map(&[0.5; 8]).with_colour_bar(0.5);
-        assert!(picture.width() > 8, "a narrow map makes room for the labels");
+        assert!(
+            picture.width() > 8,
+            "a narrow map makes room for the labels"
+        );
         let black = picture.pixels().filter(|p| p.0 == [0, 0, 0, 255]).count() as u32;
         let cells = |text: &str| -> u32 {
-            text.chars().flat_map(glyph).map(u8::count_ones).sum::<u32>() * CELL * CELL
+            text.chars()
+                .flat_map(glyph)
+                .map(u8::count_ones)
+                .sum::<u32>()
+                * CELL
+                * CELL
         };
         assert_eq!(black, cells("-0.50+0.5"));
     }

@@ -19,13 +19,21 @@ pub struct HdrImage {
 impl HdrImage {
     /// A black image.
     pub fn new(width: usize, height: usize) -> Self {
-        Self { width, height, pixels: vec![Vec3::ZERO; width * height] }
+        Self {
+            width,
+            height,
+            pixels: vec![Vec3::ZERO; width * height],
+        }
     }
 
     /// An image of one value per pixel; `None` unless there are `width` · `height` values.
     pub fn from_estimate(width: usize, height: usize, estimate: &Estimate) -> Option<Self> {
         let pixels: Vec<Vec3> = estimate.iter().collect();
-        (pixels.len() == width * height).then_some(Self { width, height, pixels })
+        (pixels.len() == width * height).then_some(Self {
+            width,
+            height,
+            pixels,
+        })
     }
 
     /// The pixels as an estimate, so that images can be compared by the metrics.
@@ -67,10 +75,19 @@ impl Exposure {
     /// 1 for an image that is black or has no finite pixel.
     pub fn of(image: &HdrImage) -> Self {
         let channel = |p: &Vec3| f64::from(p.max_element());
-        let mut values: Vec<f64> = image.pixels.iter().map(channel).filter(|v| v.is_finite()).collect();
+        let mut values: Vec<f64> = image
+            .pixels
+            .iter()
+            .map(channel)
+            .filter(|v| v.is_finite())
+            .collect();
         values.sort_by(f64::total_cmp);
         let bright = nearest_rank(&values, 0.99);
-        Self(if bright > 0.0 { (0.9 / bright) as f32 } else { 1.0 })
+        Self(if bright > 0.0 {
+            (0.9 / bright) as f32
+        } else {
+            1.0
+        })
     }
 }
 

@@ -36,8 +36,14 @@ fn a_failed_write_leaves_the_old_file_and_nothing_else() {
     fs::create_dir(&path).unwrap();
     fs::write(path.join("old"), "old").unwrap();
     let error = write_atomically(&path, b"new").unwrap_err().to_string();
-    assert!(error.contains("results.json") && error.contains("--out"), "{error}");
-    let names: Vec<_> = fs::read_dir(folder.path()).unwrap().map(|e| e.unwrap().file_name()).collect();
+    assert!(
+        error.contains("results.json") && error.contains("--out"),
+        "{error}"
+    );
+    let names: Vec<_> = fs::read_dir(folder.path())
+        .unwrap()
+        .map(|e| e.unwrap().file_name())
+        .collect();
     assert_eq!(names, ["results.json"]);
 }
 
@@ -55,8 +61,13 @@ fn what_is_no_exr_is_an_error_that_names_the_file() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("not.exr");
     for content in [None, Some("plain text")] {
-        content.map(|c| fs::write(&path, c).unwrap());
+        if let Some(content) = content {
+            fs::write(&path, content).unwrap();
+        }
         let message = read_exr(&path).unwrap_err().to_string();
-        assert!(message.contains("not.exr") && message.contains("OpenEXR"), "{message}");
+        assert!(
+            message.contains("not.exr") && message.contains("OpenEXR"),
+            "{message}"
+        );
     }
 }

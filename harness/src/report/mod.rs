@@ -12,8 +12,8 @@ use crate::{
     output::{HdrImage, OutputError, colour_stops, write_atomically},
     record::Run,
 };
-use serde::Serialize;
 use minijinja::{syntax::SyntaxConfig, value::Serde};
+use serde::Serialize;
 use std::path::Path;
 
 /// Everything that a report shows.
@@ -85,10 +85,16 @@ impl Report {
             colour_stops: colour_stops().collect::<Vec<_>>().join(", "),
         };
         let mut environment = minijinja::Environment::new();
-        environment
-            .set_syntax(SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).build()?);
+        environment.set_syntax(
+            SyntaxConfig::builder()
+                .trim_blocks(true)
+                .lstrip_blocks(true)
+                .build()?,
+        );
         environment.add_template("report.html", include_str!("report.html"))?;
-        Ok(environment.get_template("report.html")?.render(Serde(page))?)
+        Ok(environment
+            .get_template("report.html")?
+            .render(Serde(page))?)
     }
 }
 
@@ -111,7 +117,9 @@ struct Page<'a> {
 #[derive(Debug, thiserror::Error)]
 pub enum ReportError {
     /// An image of a row has another size than the row's reference.
-    #[error("{scene}: `{label}` is {width} × {height} pixels, its reference is not: render both alike")]
+    #[error(
+        "{scene}: `{label}` is {width} × {height} pixels, its reference is not: render both alike"
+    )]
     Size {
         /// The scene.
         scene: String,

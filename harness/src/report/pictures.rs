@@ -62,14 +62,23 @@ pub(super) fn row(row: &ImageRow) -> Result<Row, ReportError> {
         scene: row.scene.clone(),
         quantity: row.quantity.clone(),
         reference: picture(&row.reference, exposure)?,
-        estimates: row.estimates.iter().zip(&maps).map(pair).collect::<Result<_, _>>()?,
+        estimates: row
+            .estimates
+            .iter()
+            .zip(&maps)
+            .map(pair)
+            .collect::<Result<_, _>>()?,
         exposure: format::number(f64::from(exposure.0)),
         range: range.to_string(),
     })
 }
 
 fn error_map(row: &ImageRow, estimate: &LabelledImage) -> Result<ErrorMap, ReportError> {
-    let surface = |i: usize| row.surfaces.as_ref().is_none_or(|s| s.get(i) == Some(&true));
+    let surface = |i: usize| {
+        row.surfaces
+            .as_ref()
+            .is_none_or(|s| s.get(i) == Some(&true))
+    };
     let map = ErrorMap::new(&estimate.image, &row.reference.image, surface);
     map.ok_or_else(|| ReportError::Size {
         scene: row.scene.clone(),

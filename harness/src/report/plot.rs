@@ -50,12 +50,23 @@ impl Plot {
     /// points to show. The error is the truth's, or the own model's where no run has a truth.
     pub(super) fn of(runs: &[&Run]) -> Option<Self> {
         let has_truth = runs.iter().any(|r| r.truth.is_some());
-        let error_of = if has_truth { "the truth" } else { "the own model" };
-        let comparison =
-            |r: &Run| if has_truth { r.truth.clone() } else { r.own_model.clone() };
+        let error_of = if has_truth {
+            "the truth"
+        } else {
+            "the own model"
+        };
+        let comparison = |r: &Run| {
+            if has_truth {
+                r.truth.clone()
+            } else {
+                r.own_model.clone()
+            }
+        };
         let mut points = Vec::new();
         for (i, run) in runs.iter().copied().enumerate() {
-            let Some(comparison) = comparison(run) else { continue };
+            let Some(comparison) = comparison(run) else {
+                continue;
+            };
             let error = comparison.relmse.filter(|e| *e > 0.0);
             let time = run.phases_ms.frame_ms().filter(|t| *t > 0.0);
             if let (Some(time), Some(error)) = (time, error) {
@@ -93,7 +104,10 @@ impl Axis {
     fn around(values: impl Iterator<Item = f64> + Clone) -> Self {
         let low = values.clone().fold(f64::INFINITY, f64::min).log10().floor() as i32;
         let high = values.fold(0.0, f64::max).log10().ceil() as i32;
-        Self { first: low, last: high.max(low + 1) }
+        Self {
+            first: low,
+            last: high.max(low + 1),
+        }
     }
 
     /// Position of a positive value along the axis, 0 to 1.

@@ -74,7 +74,9 @@ impl Counts {
             runs: runs.len(),
             skipped: runs.iter().filter(|r| r.skipped.is_some()).count(),
             comparisons: comparisons().count(),
-            conclusive: comparisons().filter(|c| c.verdict == Verdict::Conclusive).count(),
+            conclusive: comparisons()
+                .filter(|c| c.verdict == Verdict::Conclusive)
+                .count(),
         }
     }
 }
@@ -89,14 +91,24 @@ pub(super) fn sections(runs: &[Run], pictures: Vec<pictures::Row>) -> Vec<Sectio
         }
     }
     let section = |(scene, quantity): (&str, &str)| {
-        let runs: Vec<&Run> =
-            runs.iter().filter(|r| r.scene == scene && r.quantity == quantity).collect();
+        let runs: Vec<&Run> = runs
+            .iter()
+            .filter(|r| r.scene == scene && r.quantity == quantity)
+            .collect();
         Section {
             scene: scene.into(),
             quantity: quantity.replace('_', " "),
             plot: plot::Plot::of(&runs),
-            runs: runs.iter().enumerate().map(|(i, run)| line(i + 1, run)).collect(),
-            pictures: pictures.iter().filter(|p| p.key() == (scene, quantity)).cloned().collect(),
+            runs: runs
+                .iter()
+                .enumerate()
+                .map(|(i, run)| line(i + 1, run))
+                .collect(),
+            pictures: pictures
+                .iter()
+                .filter(|p| p.key() == (scene, quantity))
+                .cloned()
+                .collect(),
         }
     };
     keys.into_iter().map(section).collect()
@@ -104,7 +116,9 @@ pub(super) fn sections(runs: &[Run], pictures: Vec<pictures::Row>) -> Vec<Sectio
 
 fn line(number: usize, run: &Run) -> Line {
     let params = run.params.0.iter().filter(|(name, _)| name != FIDELITY);
-    let params: Vec<String> = params.map(|(name, value)| format!("{name} = {value}")).collect();
+    let params: Vec<String> = params
+        .map(|(name, value)| format!("{name}={value}"))
+        .collect();
     Line {
         number,
         estimator: run.estimator.clone(),
@@ -124,13 +138,16 @@ fn line(number: usize, run: &Run) -> Line {
 fn time(timing: Option<Timing>) -> Time {
     Time {
         median: format::optional(timing.map(|t| t.median)),
-        spread: timing.filter(|t| t.n > 1).map(|t| format::number(t.mad)),
+        spread: timing.filter(|t| t.n > 1).map(|t| format::deviation(t.mad)),
     }
 }
 
 fn cell(comparison: Option<&Comparison>, missing: Option<&str>) -> Cell {
     let Some(c) = comparison else {
-        return Cell { missing: missing.unwrap_or("not compared").into(), ..Cell::default() };
+        return Cell {
+            missing: missing.unwrap_or("not compared").into(),
+            ..Cell::default()
+        };
     };
     Cell {
         present: true,

@@ -25,7 +25,9 @@ fn sample() -> Vec<Run> {
         points: 2048,
         phases_ms: Phases {
             capture: Timing::of(&[123.4, 120.0]),
-            compile: (backend == Backend::Gpu).then(|| Timing::of(&[345.6])).flatten(),
+            compile: (backend == Backend::Gpu)
+                .then(|| Timing::of(&[345.6]))
+                .flatten(),
             shade: Timing::of(&[0.456]),
             ..Phases::default()
         },
@@ -34,14 +36,43 @@ fn sample() -> Vec<Run> {
         own_model: comparison(relmse, Verdict::Conclusive),
         truth: comparison(relmse, verdict),
         skipped: None,
-        ..Run::skipped("colored-room", estimator, backend, "glossy_radiance", "")
+        ..Run::new("colored-room", estimator, backend, "glossy_radiance")
     };
     vec![
-        run("localized_cubemap", Some("published"), Backend::Cpu, 0.0123, Verdict::Conclusive),
-        run("localized_cubemap", Some("corrected"), Backend::Gpu, 0.000_15, Verdict::Inconclusive),
-        run("constant_ambient", None, Backend::Cpu, 0.4, Verdict::Conclusive),
-        Run::skipped("colored-room", "path_reference", Backend::Gpu, "glossy_radiance", "CPU only"),
-        Run::skipped("furnace", "mine", Backend::Gpu, "irradiance", "no adapter"),
+        run(
+            "localized_cubemap",
+            Some("published"),
+            Backend::Cpu,
+            0.0123,
+            Verdict::Conclusive,
+        ),
+        run(
+            "localized_cubemap",
+            Some("corrected"),
+            Backend::Gpu,
+            0.000_15,
+            Verdict::Inconclusive,
+        ),
+        run(
+            "constant_ambient",
+            None,
+            Backend::Cpu,
+            0.4,
+            Verdict::Conclusive,
+        ),
+        Run {
+            skipped: Some("CPU only".into()),
+            ..Run::new(
+                "colored-room",
+                "path_reference",
+                Backend::Gpu,
+                "glossy_radiance",
+            )
+        },
+        Run {
+            skipped: Some("no adapter".into()),
+            ..Run::new("furnace", "mine", Backend::Gpu, "irradiance")
+        },
     ]
 }
 
@@ -53,8 +84,14 @@ fn tables_fit_the_width_and_say_it_all() {
         assert!(widest <= usize::from(width), "{widest} of {width}:\n{text}");
         println!("{text}");
         for words in [
-            "colored-room: glossy radiance, 2048 points", "gpu sw", "software adapter", "≲ 1.50e-4",
-            "path_reference on gpu skipped: CPU only", "furnace: irradiance", "0.456", "own model",
+            "colored-room: glossy radiance, 2048 points",
+            "gpu sw",
+            "software adapter",
+            "≲ 1.50e-4",
+            "path_reference on gpu skipped: CPU only",
+            "furnace: irradiance",
+            "0.456",
+            "own model",
         ] {
             assert!(text.contains(words), "no {words} at {width}:\n{text}");
         }

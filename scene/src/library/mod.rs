@@ -1,6 +1,6 @@
 //! The built-in scenes, one file each.
 //!
-//! A scene is a [`Recipe`]: a name, a line about it, settings declared through
+//! A scene is a `Recipe`: a name, a line about it, settings declared through
 //! [`crate::params::Params`], and a function that builds it. Adding one is one file and one line in [`library`].
 
 mod colored_room;

@@ -1,5 +1,6 @@
 //! Points to be probed, from a CSV file.
 
+use super::text;
 use crate::{Place, Point, SceneError};
 use glam::{DVec3, Vec3};
 use std::path::Path;
@@ -12,20 +13,18 @@ use std::path::Path;
 /// [`SceneError`] naming file and line for a missing or doubled column, a value that is no finite
 /// number, a direction of length zero, or a file without points.
 pub fn open_points(path: &Path) -> Result<Vec<Point>, SceneError> {
-    let file = std::fs::File::open(path).map_err(|source| SceneError::Read {
-        path: path.into(),
-        source,
-    })?;
+    let text = text::read(path)?;
+    let source = Source { path, text: &text };
     let mut reader = csv::ReaderBuilder::new()
         .trim(csv::Trim::All)
-        .from_reader(file);
-    let header = reader.headers().map_err(|e| broken(path, &e))?.clone();
-    let columns = Columns::find(path, &header)?;
+        .from_reader(text.as_bytes());
+    let header = reader.headers().map_err(|e| source.broken(&e))?.clone();
+    let columns = Columns::find(&source, &header)?;
     let mut points = Vec::new();
     for record in reader.records() {
-        let record = record.map_err(|e| broken(path, &e))?;
+        let record = record.map_err(|e| source.broken(&e))?;
         let row = Row {
-            path,
+            source: &source,
             record: &record,
         };
         points.push(Point {
@@ -47,22 +46,40 @@ pub fn open_points(path: &Path) -> Result<Vec<Point>, SceneError> {
     }
 }
 
-fn broken(path: &Path, error: &csv::Error) -> SceneError {
-    let place = Place {
-        file: path.into(),
-        line: error.position().map(|p| p.line() as usize),
-    };
-    match error.kind() {
-        csv::ErrorKind::UnequalLengths {
-            expected_len, len, ..
-        } => place.error(
-            format!("{len} values, but the header has {expected_len}"),
-            "give one value per column",
-        ),
-        _ => place.error(
-            format!("not readable as CSV: {error}"),
-            "save it as UTF-8 text with commas",
-        ),
+/// The file that points come from.
+struct Source<'a> {
+    path: &'a Path,
+    text: &'a str,
+}
+
+impl Source<'_> {
+    /// The line of a record. Its position is that of the empty lines before it: they are counted.
+    fn at(&self, record: Option<&csv::Position>) -> Place {
+        let line = record.map(|position| {
+            let rest = self.text.as_bytes().iter().skip(position.byte() as usize);
+            let empty = rest.take_while(|b| matches!(b, b'\r' | b'\n'));
+            position.line() as usize + empty.filter(|b| **b == b'\n').count()
+        });
+        Place {
+            file: self.path.into(),
+            line,
+        }
+    }
+
+    fn broken(&self, error: &csv::Error) -> SceneError {
+        let place = self.at(error.position());
+        match error.kind() {
+            csv::ErrorKind::UnequalLengths {
+                expected_len, len, ..
+            } => place.error(
+                format!("{len} values, but the header has {expected_len}"),
+                "give one value per column",
+            ),
+            _ => place.error(
+                format!("not readable as CSV: {error}"),
+                "save it as UTF-8 text with commas",
+            ),
+        }
     }
 }
 
@@ -73,8 +90,8 @@ struct Columns {
 }
 
 impl Columns {
-    fn find(path: &Path, header: &csv::StringRecord) -> Result<Self, SceneError> {
-        let place = || Place::line(path, 1);
+    fn find(source: &Source<'_>, header: &csv::StringRecord) -> Result<Self, SceneError> {
+        let place = || source.at(header.position());
         let find = |name: &str| -> Result<Option<usize>, SceneError> {
             let mut found = header.iter().enumerate().filter(|(_, h)| *h == name);
             let first = found.next().map(|(i, _)| i);
@@ -106,17 +123,13 @@ impl Columns {
 }
 
 struct Row<'a> {
-    path: &'a Path,
+    source: &'a Source<'a>,
     record: &'a csv::StringRecord,
 }
 
 impl Row<'_> {
     fn error(&self, what: String, remedy: &str) -> SceneError {
-        let place = Place {
-            file: self.path.into(),
-            line: self.record.position().map(|p| p.line() as usize),
-        };
-        place.error(what, remedy)
+        self.source.at(self.record.position()).error(what, remedy)
     }
 
     /// Three finite numbers, each within the range of f32.

@@ -61,7 +61,12 @@ mod tests {
 
     #[test]
     fn agrees_with_the_closed_form_of_a_parallel_rectangle() {
-        for (a, b, c) in [(1.0, 1.0, 1.0), (0.3, 2.0, 0.5), (10.0, 5.0, 1e-3), (0.01, 0.02, 1.0)] {
+        for (a, b, c) in [
+            (1.0, 1.0, 1.0),
+            (0.3, 2.0, 0.5),
+            (10.0, 5.0, 1e-3),
+            (0.01, 0.02, 1.0),
+        ] {
             let f = polygon_irradiance(DVec3::Z, &parallel(a, b, c)) / PI;
             let exact = parallel_rectangle(a, b, c);
             assert!((f / exact - 1.0).abs() < 1e-11, "{a} {b} {c}: {f} {exact}");
@@ -80,7 +85,10 @@ mod tests {
             ];
             let f = polygon_irradiance(DVec3::Z, &corners).abs() / PI;
             let exact = perpendicular_rectangle(height, width, distance);
-            assert!((f / exact - 1.0).abs() < 1e-11, "{height} {width} {distance}");
+            assert!(
+                (f / exact - 1.0).abs() < 1e-11,
+                "{height} {width} {distance}"
+            );
         }
     }
 
@@ -96,7 +104,10 @@ mod tests {
         };
         let whole = polygon_irradiance(DVec3::Z, &corners(-3.0));
         let upper = polygon_irradiance(DVec3::Z, &corners(0.0));
-        assert!((whole - upper).abs() < 1e-14 && upper > 0.1, "{whole} {upper}");
+        assert!(
+            (whole - upper).abs() < 1e-14 && upper > 0.1,
+            "{whole} {upper}"
+        );
     }
 
     #[test]

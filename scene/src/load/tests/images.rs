@@ -14,6 +14,7 @@ fn one_bright_texel(column: u32, row: u32, radiance: Vec3) -> LatLongImage {
     }
 }
 
+#[test]
 fn images_keep_their_orientation_in_both_formats() {
     let folder = Folder::new(&[]);
     // φ = 2.5·45°, θ = 67.5°.
@@ -47,6 +48,7 @@ fn images_keep_their_orientation_in_both_formats() {
     }
 }
 
+#[test]
 fn images_that_hold_no_light_are_refused() {
     let folder = Folder::new(&[
         ("b.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 2\n"),
@@ -82,6 +84,7 @@ fn images_that_hold_no_light_are_refused() {
     }
 }
 
+#[test]
 fn shared_environment_maps_load() {
     for name in [
         "blender_courtyard",

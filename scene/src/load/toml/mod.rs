@@ -10,11 +10,24 @@
 //! vfov_deg = 45.0                        # default
 //! resolution = [512, 512]                # default
 //! [[mesh]]
-//! file = "room.obj"                      # relative to this file; or shape = "sphere", …
-//! [[light]]
-//! kind = "point"
+//! file = "room.obj"                      # relative to this file; or
+//! # shape = "quad" (size = [w, d]) | "box" (size = [x, y, z], inward = true) | "sphere" (radius)
+//! #       | "torus" (radius, tube) | "blob" (radius): each about a metre across by default
+//! role = "environment"                   # default; or "receiver"
+//! fit = 1.0                              # first: longest side, centred at the origin
+//! scale = 1.0                            # then scaled,
+//! rotate_deg = [0.0, 0.0, 0.0]           # turned about the fixed axes x, then y, then z,
+//! translate = [0.0, 0.0, 0.0]            # and moved
+//! material = { albedo = [0.7, 0.7, 0.7], specular = [0.0, 0.0, 0.0], shininess = 5.0, emission = [0.0, 0.0, 0.0], mirror = false }
+//! [[light]]                              # kind is one of
+//! kind = "point"                         # position; intensity in W/sr or flux in W
+//! # "spot": also direction, up, shape = "cone" | "square", angle_deg (full angle); flux is that
+//! #         inside the frustum
+//! # "directional": direction, irradiance in W/m²
+//! # "area": position, normal, area in m², flux in W
+//! # "environment": file (.hdr, .exr) or constant = [r, g, b]; scale, rotate_deg
 //! position = [0.0, 0.9, 0.0]
-//! intensity = [1.0, 1.0, 1.0]            # W/sr; or flux in W
+//! intensity = [1.0, 1.0, 1.0]
 //! ```
 
 mod light;

@@ -1,0 +1,185 @@
+//! Runs of the path tracer: seeds, threads, stopping, input that is not a number.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod support;
+
+use glam::Vec3;
+use interreflect_cpu::path_tracer::{LightPaths, PathQuantity, REPLICATES, Stop, trace};
+use interreflect_scene::{Light, Material, Point, Role};
+use std::sync::Mutex;
+use support::estimates::{FULL, irradiance, samples};
+use support::{cpu, glowing, lit, object, point, points, sphere, under, walls};
+
+/// A room with everything in it: emitters, lights, a mirror, gloss, a receiver, an opening.
+fn busy_scene() -> interreflect_scene::Scene {
+    let mut scene = walls([0.0, 0.3, 0.0, 0.0, 2.0, 0.0].map(|l| glowing(0.5, l)));
+    scene.materials[2] = Material {
+        specular: Vec3::splat(0.8),
+        mirror: true,
+        ..scene.materials[2]
+    };
+    scene.materials[3].specular = Vec3::splat(0.4);
+    scene.objects[0].mesh.triangles.truncate(11);
+    scene.objects[0].mesh.materials.truncate(11);
+    scene
+        .objects
+        .push(object(Role::Receiver, sphere(0.4, 6, false, true)));
+    let scene = under(scene, 0.7);
+    lit(
+        scene,
+        Light::Point {
+            position: Vec3::new(0.2, 0.7, 0.1),
+            intensity: Vec3::ONE,
+        },
+    )
+}
+
+#[test]
+fn seeds_agree_within_their_errors_and_techniques_are_unbiased() {
+    let scene = cpu(&busy_scene());
+    let list = points(support::directions(40).map(|d| point(d * 0.41, d)));
+    for indirect_visibility in [true, false] {
+        let paths = LightPaths {
+            indirect_visibility,
+            ..FULL
+        };
+        let by_seed = |seed| {
+            trace(
+                &scene,
+                &list,
+                PathQuantity::Irradiance,
+                &paths,
+                &samples(2048),
+                seed,
+                &|_| (),
+            )
+        };
+        let (a, b) = (by_seed(1), by_seed(2));
+        assert_ne!(a, b);
+        for i in 0..list.len() {
+            let difference = a.mean.get(i) - b.mean.get(i);
+            let (e, f) = (a.standard_error.get(i), b.standard_error.get(i));
+            let error = (e * e + f * f).map(f32::sqrt);
+            let z = difference.abs().max_element() / error.max_element();
+            assert!(
+                z < 4.5,
+                "point {i}: {} and {}",
+                a.mean.get(i),
+                b.mean.get(i)
+            );
+        }
+    }
+}
+
+#[test]
+fn the_number_of_threads_does_not_change_a_bit() {
+    let scene = busy_scene();
+    let list = points(support::directions(30).map(|d| point(d * 0.41, d)));
+    for indirect_visibility in [true, false] {
+        let paths = LightPaths {
+            indirect_visibility,
+            ..FULL
+        };
+        let stop = Stop {
+            samples: Some(500),
+            relative_error: Some(1e-9),
+            seconds: None,
+        };
+        let run = |threads| {
+            let pool = rayon::ThreadPoolBuilder::new()
+                .num_threads(threads)
+                .build()
+                .unwrap();
+            pool.install(|| {
+                trace(
+                    &cpu(&scene),
+                    &list,
+                    PathQuantity::Irradiance,
+                    &paths,
+                    &stop,
+                    9,
+                    &|_| (),
+                )
+            })
+        };
+        let one = run(1);
+        assert_eq!(one, run(2));
+        assert_eq!(one, run(3));
+        assert_eq!(one.samples, 512);
+        // Rounds do not change what is sampled.
+        let at_once = trace(
+            &cpu(&scene),
+            &list,
+            PathQuantity::Irradiance,
+            &paths,
+            &samples(500),
+            9,
+            &|_| (),
+        );
+        for (a, b) in one.mean.iter().zip(at_once.mean.iter()) {
+            assert!((a - b).abs().max_element() <= 1e-6 * a.max_element());
+        }
+    }
+}
+
+#[test]
+fn a_requested_error_is_reached_and_progress_ends_at_one() {
+    let scene = cpu(&busy_scene());
+    let list = points(support::directions(10).map(|d| point(d * 0.41, d)));
+    let seen = Mutex::new(Vec::new());
+    let run = |stop: &Stop| {
+        let progress = |f| seen.lock().unwrap().push(f);
+        trace(
+            &scene,
+            &list,
+            PathQuantity::Irradiance,
+            &FULL,
+            stop,
+            1,
+            &progress,
+        )
+    };
+    let stop = Stop {
+        relative_error: Some(0.02),
+        ..Stop::default()
+    };
+    let traced = run(&stop);
+    let norm = |e: &interreflect_scene::Estimate| e.iter().map(|v| v.length_squared()).sum::<f32>();
+    assert!(norm(&traced.standard_error) <= 0.02_f32.powi(2) * norm(&traced.mean) * 1.001);
+    assert!(traced.samples % REPLICATES == 0 && traced.samples < 1 << 20);
+    assert!(seen.lock().unwrap().iter().all(|f| (0.0..=1.0).contains(f)));
+    seen.lock().unwrap().clear();
+    run(&samples(320));
+    let last = seen.lock().unwrap().iter().copied().fold(0.0, f32::max);
+    assert_eq!(last, 1.0);
+}
+
+#[test]
+fn points_that_are_not_numbers_stay_alone() {
+    let scene = cpu(&walls([glowing(0.0, 1.0); 6]));
+    let nan = Point {
+        position: Vec3::NAN,
+        normal: Vec3::X,
+        ..Point::default()
+    };
+    let list = points([
+        point(Vec3::ZERO, Vec3::X),
+        Some(nan),
+        None,
+        Some(Point::default()),
+    ]);
+    for quantity in [PathQuantity::Irradiance, PathQuantity::AmbientOcclusion] {
+        let stop = Stop {
+            samples: Some(64),
+            relative_error: Some(0.5),
+            seconds: Some(5.0),
+        };
+        let traced = trace(&scene, &list, quantity, &FULL, &stop, 1, &|_| ());
+        assert!(traced.mean.get(0).is_finite());
+        assert!(traced.mean.get(1).is_nan() && traced.standard_error.get(1).is_nan());
+        assert_eq!(traced.mean.get(2), Vec3::ZERO);
+        assert!(traced.mean.get(3).is_nan(), "a normal without length");
+    }
+    let nothing = irradiance(&scene, &points([]), FULL, 10);
+    assert!(nothing.mean.is_empty());
+}

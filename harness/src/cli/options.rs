@@ -1,0 +1,80 @@
+//! Options that several commands share.
+
+use super::values::{choice, count, fraction, seconds, vector};
+use crate::record::Backend;
+use clap::{Args, ValueEnum};
+use glam::Vec3;
+use interreflect_cpu::tiles::InstructionSet;
+use std::path::PathBuf;
+
+/// Changes to a scene.
+#[derive(Clone, Debug, Default, PartialEq, Args)]
+#[command(next_help_heading = "Scene")]
+pub struct SceneOptions {
+    /// OBJ file that takes the receiver's place, scaled to its size
+    #[arg(long, value_name = "FILE")]
+    pub receiver: Option<PathBuf>,
+    /// Latitude-longitude image (HDR or EXR) as environment
+    #[arg(long, value_name = "FILE")]
+    pub environment: Option<PathBuf>,
+    /// Where cube maps are captured
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = vector)]
+    pub reference_point: Option<Vec3>,
+}
+
+/// How to run.
+#[derive(Clone, Debug, Default, PartialEq, Args)]
+#[command(next_help_heading = "Run")]
+pub struct RunOptions {
+    /// Vulkan adapter: part of its name, or its number in `interreflect list`
+    #[arg(long, value_name = "NAME")]
+    pub adapter: Option<String>,
+    /// Threads of the CPU backend; all if not given
+    #[arg(long, value_name = "N", value_parser = count)]
+    pub threads: Option<usize>,
+    /// Instruction set of the CPU kernels; the best that the processor has if not given
+    #[arg(long, value_name = "SET", value_parser = choice::<InstructionSet>())]
+    pub instruction_set: Option<InstructionSet>,
+    /// Seed of everything random
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub seed: u64,
+}
+
+/// When a path-traced reference is good enough.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Args)]
+#[command(next_help_heading = "Reference")]
+pub struct ReferenceBudget {
+    /// Samples per point
+    #[arg(long, value_name = "N", value_parser = count)]
+    pub samples: Option<usize>,
+    /// Relative standard error of the mean, such as .01
+    #[arg(long, value_name = "FRACTION", value_parser = fraction)]
+    pub error: Option<f64>,
+    /// Time for each reference
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    pub seconds: Option<f64>,
+}
+
+/// One backend or both.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+#[value(rename_all = "snake_case")]
+pub enum Backends {
+    /// Host threads
+    Cpu,
+    /// A Vulkan device
+    Gpu,
+    /// First the one, then the other
+    #[default]
+    Both,
+}
+
+impl Backends {
+    /// The backends, in the order in which they run.
+    pub fn list(self) -> &'static [Backend] {
+        match self {
+            Self::Cpu => &[Backend::Cpu],
+            Self::Gpu => &[Backend::Gpu],
+            Self::Both => &[Backend::Cpu, Backend::Gpu],
+        }
+    }
+}

@@ -1,0 +1,79 @@
+//! `compare`: two images in linear HDR.
+
+use super::{print_json, print_line};
+use crate::cli::Compare;
+use crate::error::HarnessError;
+use crate::metrics::{Reference, compare};
+use crate::output::{ErrorMap, HdrImage, error_range, read_exr, write_error_map};
+use interreflect_scene::load::open_image;
+use std::path::Path;
+
+pub(super) fn run(command: &Compare) -> Result<(), HarnessError> {
+    let estimate = read(&command.estimate)?;
+    let reference = read(&command.reference)?;
+    let same_size = |path: &Path, image: &HdrImage| match (image.width, image.height)
+        == (estimate.width, estimate.height)
+    {
+        true => Ok(()),
+        false => Err(HarnessError::Usage(format!(
+            "{}: {} × {} pixels, {} has {} × {}; compare images of one size",
+            path.display(),
+            image.width,
+            image.height,
+            command.estimate.display(),
+            estimate.width,
+            estimate.height
+        ))),
+    };
+    same_size(&command.reference, &reference)?;
+    let error = command.standard_error.as_ref().map(|path| {
+        let image = read(path)?;
+        same_size(path, &image)?;
+        Ok::<_, HarnessError>(image.to_estimate())
+    });
+    let error = error.transpose()?;
+    let comparison = compare(
+        &estimate.to_estimate(),
+        Reference {
+            values: &reference.to_estimate(),
+            standard_error: error.as_ref(),
+            description: &command.reference.to_string_lossy(),
+        },
+        None,
+    )?;
+    if let Some(folder) = &command.out {
+        if let Some(map) = ErrorMap::new(&estimate, &reference, |_| true) {
+            write_error_map(&folder.join("error.png"), &map, error_range([&map]))?;
+        }
+    }
+    if command.json {
+        return print_json(&comparison);
+    }
+    let number = |v: Option<f64>| v.map_or("undefined".into(), |v| format!("{v:.6e}"));
+    print_line(&format!(
+        "relMSE {}  RMSE {:.6e}  energy ratio {}  99.9 % {:.6e}  max {:.6e}  noise floor {}  {}",
+        number(comparison.relmse),
+        comparison.rmse,
+        number(comparison.energy_ratio),
+        comparison.p999,
+        comparison.max,
+        number(comparison.noise_floor),
+        comparison.verdict
+    ))
+}
+
+/// An EXR as it is, an HDR through the scene's loader.
+fn read(path: &Path) -> Result<HdrImage, HarnessError> {
+    if path
+        .extension()
+        .is_some_and(|e| e.eq_ignore_ascii_case("exr"))
+    {
+        return Ok(read_exr(path)?);
+    }
+    let image = open_image(path)?;
+    Ok(HdrImage {
+        width: image.width as usize,
+        height: image.height as usize,
+        pixels: image.texels,
+    })
+}

@@ -1,0 +1,160 @@
+//! `list`: scenes, estimators with their parameters, adapters.
+
+use super::{print_json, print_line};
+use crate::cli::List;
+use crate::error::HarnessError;
+use interreflect_estimators::{Configured, Registry};
+use interreflect_scene::library::library;
+use interreflect_scene::load::{SceneRequest, open};
+use interreflect_scene::params::{Domain, FieldInfo, Value};
+use interreflect_scene::{Needs, Scene};
+use serde_json::{Map, Value as Json, json};
+
+pub(super) fn run(command: &List, registry: Registry) -> Result<(), HarnessError> {
+    let methods: Vec<_> = registry.entries().iter().map(|e| e.configure()).collect();
+    let needs = match command.needs {
+        true => Some(needs_of_all(&methods)?),
+        false => None,
+    };
+    if command.json {
+        return print_json(&as_json(&methods, needs));
+    }
+    print_line("Scenes")?;
+    for scene in library() {
+        print_line(&format!("  {:<20} {}", scene.name, scene.summary))?;
+        let settings = scene.settings();
+        print_fields("scene.", &settings)?;
+    }
+    print_line("\nEstimators")?;
+    for method in &methods {
+        let info = method.info();
+        print_line(&format!(
+            "  {:<20} {}: {}",
+            info.id, info.title, info.source
+        ))?;
+        let quantities: Vec<_> = method.quantities().iter().map(|q| q.name()).collect();
+        let backends = match method.on_cpu().is_ok() && has_gpu(&registry, info.id) {
+            true => "cpu, gpu",
+            false => "cpu",
+        };
+        print_line(&format!("      {} on {backends}", quantities.join(", ")))?;
+        print_fields("", &method.values())?;
+    }
+    print_line("\nAdapters")?;
+    let adapters = interreflect_gpu::adapters();
+    for (i, adapter) in adapters.iter().enumerate() {
+        let software = if adapter.software { " (software)" } else { "" };
+        print_line(&format!(
+            "  {i}: {}{software}, {}",
+            adapter.name, adapter.driver_info
+        ))?;
+    }
+    if adapters.is_empty() {
+        print_line(&format!("  {}", interreflect_gpu::GpuError::NoAdapter))?;
+    }
+    if let Some(needs) = needs {
+        print_line("\nNeeds (of the first quantity)")?;
+        for (scene, id, needed) in needs {
+            print_line(&format!("  {scene:<16} {id:<20} {needed}"))?;
+        }
+    }
+    Ok(())
+}
+
+fn has_gpu(registry: &Registry, id: &str) -> bool {
+    registry.get(id).is_ok_and(|e| !e.shaders().is_empty())
+}
+
+fn print_fields(prefix: &str, fields: &[(FieldInfo, Value)]) -> Result<(), HarnessError> {
+    for (field, value) in fields {
+        let name = format!("{prefix}{}", field.name);
+        let domain = domain(&field.domain);
+        let unit = if field.unit.is_empty() {
+            String::new()
+        } else {
+            format!(" {}", field.unit)
+        };
+        print_line(&format!(
+            "      {name:<24} {value}{unit} ({domain}): {}",
+            field.doc
+        ))?;
+    }
+    Ok(())
+}
+
+fn domain(domain: &Domain) -> String {
+    match domain {
+        Domain::U32 { min, max, .. } => format!("{min} to {max}"),
+        Domain::F32 { min, max, .. } => format!("{min} to {max}"),
+        Domain::Bool => "true, false".into(),
+        Domain::OneOf(names) => names.join(", "),
+    }
+}
+
+type Needed = (String, &'static str, String);
+
+fn needs_of_all(methods: &[Box<dyn Configured>]) -> Result<Vec<Needed>, HarnessError> {
+    let mut all = Vec::new();
+    for entry in library() {
+        let scene: Scene = open(&SceneRequest::new(entry.name))?;
+        for method in methods {
+            let needs = method.needs(method.quantities()[0], &scene.facts());
+            let text = needs.map_or_else(|why| why.to_string(), |needs| describe(&needs));
+            all.push((entry.name.to_owned(), method.info().id, text));
+        }
+    }
+    Ok(all)
+}
+
+fn describe(needs: &Needs) -> String {
+    let cube = |spec: &interreflect_scene::CubeSpec| {
+        let c = spec.channels;
+        let named = [
+            (c.radiance, "radiance"),
+            (c.distance, "distance"),
+            (c.normal, "normal"),
+        ];
+        let channels: Vec<_> = named.iter().filter(|n| n.0).map(|n| n.1).collect();
+        format!("cube {}² {}", spec.size, channels.join("+"))
+    };
+    let mut parts: Vec<_> = needs.cubes.iter().map(cube).collect();
+    if needs.light_transport {
+        parts.push("light transport".into());
+    }
+    parts.join(", ")
+}
+
+fn as_json(methods: &[Box<dyn Configured>], needs: Option<Vec<Needed>>) -> Json {
+    let fields = |fields: Vec<(FieldInfo, Value)>| -> Json {
+        let of = |(f, v): (FieldInfo, Value)| {
+            json!({"name": f.name, "symbol": f.symbol, "unit": f.unit, "doc": f.doc,
+                   "default": v.to_string(), "domain": domain(&f.domain)})
+        };
+        fields.into_iter().map(of).collect()
+    };
+    let scenes: Vec<_> = library()
+        .iter()
+        .map(|s| json!({"name": s.name, "summary": s.summary, "settings": fields(s.settings())}))
+        .collect();
+    let estimators: Vec<_> = methods
+        .iter()
+        .map(|m| {
+            let quantities: Vec<_> = m.quantities().iter().map(|q| q.name()).collect();
+            json!({"id": m.info().id, "title": m.info().title, "source": m.info().source,
+                   "quantities": quantities, "params": fields(m.values())})
+        })
+        .collect();
+    let adapters: Vec<_> = interreflect_gpu::adapters()
+        .iter()
+        .map(|a| json!({"name": a.name, "driver": a.driver_info, "software": a.software}))
+        .collect();
+    let mut all = Map::new();
+    all.insert("scenes".into(), scenes.into());
+    all.insert("estimators".into(), estimators.into());
+    all.insert("adapters".into(), adapters.into());
+    if let Some(needs) = needs {
+        let of = |(scene, id, needs)| json!({"scene": scene, "estimator": id, "needs": needs});
+        all.insert("needs".into(), needs.into_iter().map(of).collect());
+    }
+    Json::Object(all)
+}

@@ -1,0 +1,45 @@
+//! One file a command.
+
+mod bench;
+mod compare;
+mod list;
+mod probe;
+mod reference;
+mod render;
+
+use crate::cli::{Cli, Command};
+use crate::error::HarnessError;
+use interreflect_estimators::Registry;
+
+/// Runs a command; what it prints goes to standard output.
+///
+/// # Errors
+/// [`HarnessError`], one line that says what is wrong and what to do.
+pub fn run(cli: Cli, registry: Registry) -> Result<(), HarnessError> {
+    match cli.command {
+        Command::List(command) => list::run(&command, registry),
+        Command::Bench(command) => bench::run(&command, registry),
+        Command::Render(command) => render::run(&command, registry),
+        Command::Probe(command) => probe::run(&command, registry),
+        Command::Reference(command) => reference::run(&command, registry),
+        Command::Compare(command) => compare::run(&command),
+    }
+}
+
+/// Prints a value as JSON.
+fn print_json(value: &impl serde::Serialize) -> Result<(), HarnessError> {
+    let text = serde_json::to_string(value)
+        .map_err(|e| HarnessError::Usage(format!("the result can't be written as JSON: {e}")))?;
+    print_line(&text)
+}
+
+/// Prints a line; a reader that went away ends the program quietly.
+fn print_line(text: &str) -> Result<(), HarnessError> {
+    use std::io::Write;
+    match writeln!(std::io::stdout(), "{text}") {
+        Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => Err(HarnessError::Usage(format!(
+            "standard output can't be written: {e}"
+        ))),
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,106 @@
+//! `probe`: one estimate at the points of a file.
+
+use super::{print_json, print_line};
+use crate::cli::Probe;
+use crate::error::HarnessError;
+use crate::lab::Lab;
+use crate::measure::measure;
+use crate::output::write_json;
+use crate::record::Backend;
+use crate::stage::{CpuStage, GpuStage};
+use glam::Vec3;
+use interreflect_estimators::{Quantity, Registry};
+use interreflect_scene::load::open_points;
+use interreflect_scene::{Point, Points, SurfaceMaterial};
+use serde::Serialize;
+
+#[derive(Serialize)]
+struct Probed {
+    estimator: &'static str,
+    backend: Backend,
+    quantity: &'static str,
+    values: Vec<[f32; 3]>,
+}
+
+pub(super) fn run(command: &Probe, registry: Registry) -> Result<(), HarnessError> {
+    let lab = Lab::new(registry, &command.run)?;
+    let id = [command.estimator.clone()];
+    lab.check_owners(&id, &command.settings)?;
+    let method = lab.configure(&command.estimator, &command.settings)?;
+    let quantity = command.quantity.unwrap_or(method.quantities()[0]);
+    let points = points(command, quantity)?;
+    let gpu = command.backend == Backend::Gpu;
+    let loaded = lab.load(
+        &command.scene,
+        &command.scene_options,
+        &command.settings,
+        gpu,
+    )?;
+    let scene = loaded.cpu.scene();
+    let measured = match loaded.gpu {
+        Some(gpu) => {
+            let (context, on_gpu) = gpu?;
+            let stage = GpuStage {
+                context,
+                scene: on_gpu,
+            };
+            measure(&stage, scene, &*method, quantity, &points, 0)?
+        }
+        None => {
+            let stage = CpuStage {
+                cx: &lab.cpu,
+                scene: loaded.cpu.clone(),
+            };
+            measure(&stage, scene, &*method, quantity, &points, 0)?
+        }
+    };
+    let probed = Probed {
+        estimator: method.info().id,
+        backend: command.backend,
+        quantity: quantity.name(),
+        values: measured.estimate.iter().map(|v| v.to_array()).collect(),
+    };
+    if let Some(folder) = &command.out {
+        write_json(&folder.join("probe.json"), &probed)?;
+    }
+    if command.json {
+        return print_json(&probed);
+    }
+    for ([r, g, b], point) in probed.values.iter().zip(points.iter().flatten()) {
+        let (p, n) = (point.position, point.normal);
+        print_line(&format!(
+            "{:>10.6} {:>10.6} {:>10.6}  {:>8.5} {:>8.5} {:>8.5}  {r:>12.6} {g:>12.6} {b:>12.6}",
+            p.x, p.y, p.z, n.x, n.y, n.z
+        ))?;
+    }
+    Ok(())
+}
+
+/// The file's points, with the material of the command line.
+fn points(command: &Probe, quantity: Quantity) -> Result<Points, HarnessError> {
+    let mut points = open_points(&command.points)?;
+    if quantity == Quantity::GlossyRadiance {
+        let Some(material) = &command.material else {
+            return Err(HarnessError::Usage(
+                "glossy_radiance needs a material: add --material KD,KS,SHININESS, such as \
+                 --material .5,.5,5"
+                    .into(),
+            ));
+        };
+        if points.iter().any(|p| p.view == Vec3::ZERO) {
+            return Err(HarnessError::Usage(format!(
+                "{}: glossy_radiance needs the columns vx,vy,vz, the direction to the viewer",
+                command.points.display()
+            )));
+        }
+        for point in &mut points {
+            point.material = SurfaceMaterial {
+                diffuse: Vec3::splat(material.diffuse),
+                specular: Vec3::splat(material.specular),
+                shininess: material.shininess,
+            };
+        }
+    }
+    let points = points.into_iter().map(Some::<Point>);
+    Ok(Points::new(quantity.layout(), points))
+}

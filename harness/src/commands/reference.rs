@@ -1,0 +1,133 @@
+//! `reference`: the truth with its standard error.
+
+use super::{print_json, print_line};
+use crate::cli::{ReferenceBudget, ReferenceCommand};
+use crate::error::HarnessError;
+use crate::lab::Lab;
+use crate::output::{HdrImage, write_exr, write_json};
+use crate::view::View;
+use interreflect_cpu::path_tracer::{LightPaths, Stop, trace};
+use interreflect_estimators::Registry;
+use interreflect_estimators::path_reference::path_quantity;
+use serde::Serialize;
+
+/// Points of a reference if none are asked for.
+pub(super) const POINTS: usize = 4096;
+
+#[derive(Serialize)]
+struct Traced {
+    scene: String,
+    quantity: &'static str,
+    samples: u32,
+    seed: u64,
+    mean_relative_error: f64,
+    points: Vec<TracedPoint>,
+}
+
+#[derive(Serialize)]
+struct TracedPoint {
+    position: [f32; 3],
+    normal: [f32; 3],
+    value: [f32; 3],
+    standard_error: [f32; 3],
+}
+
+pub(super) fn run(command: &ReferenceCommand, registry: Registry) -> Result<(), HarnessError> {
+    let lab = Lab::new(registry, &command.run)?;
+    let id = ["path_reference".to_owned()];
+    lab.check_owners(&id, &command.settings)?;
+    let paths = light_paths(&lab, command)?;
+    let loaded = lab.load(
+        &command.scene,
+        &command.scene_options,
+        &command.settings,
+        false,
+    )?;
+    let scene = &*loaded.cpu;
+    let camera = scene.scene().camera;
+    let view = lab
+        .cpu
+        .install(|| View::of_about(scene, &camera, command.points.unwrap_or(POINTS)));
+    let points = view.points(command.quantity.layout());
+    let stop = stop(&command.budget);
+    let bar = crate::progress::bar("path tracing", 1000);
+    let traced = lab.cpu.install(|| {
+        let quantity = path_quantity(command.quantity);
+        trace(scene, &points, quantity, &paths, &stop, lab.seed, &|done| {
+            bar.set_position((done * 1000.0) as u64);
+        })
+    });
+    bar.finish_and_clear();
+    let (mut sum, mut error) = (0.0, 0.0);
+    let mut listed = Vec::new();
+    for (i, point) in points.iter().enumerate() {
+        let Some(point) = point else { continue };
+        let (value, standard_error) = (traced.mean.get(i), traced.standard_error.get(i));
+        sum += f64::from(value.element_sum());
+        error += f64::from(standard_error.element_sum());
+        listed.push(TracedPoint {
+            position: point.position.to_array(),
+            normal: point.normal.to_array(),
+            value: value.to_array(),
+            standard_error: standard_error.to_array(),
+        });
+    }
+    let result = Traced {
+        scene: scene.scene().name.clone(),
+        quantity: command.quantity.name(),
+        samples: traced.samples,
+        seed: lab.seed,
+        mean_relative_error: if sum > 0.0 { error / sum } else { 0.0 },
+        points: listed,
+    };
+    if let Some(folder) = &command.out {
+        write_json(&folder.join("reference.json"), &result)?;
+        let [width, height] = view.resolution.map(|v| v as usize);
+        for (name, values) in [
+            ("reference.exr", &traced.mean),
+            ("standard_error.exr", &traced.standard_error),
+        ] {
+            if let Some(image) = HdrImage::from_estimate(width, height, values) {
+                write_exr(&folder.join(name), &image)?;
+            }
+        }
+    }
+    if command.json {
+        return print_json(&result);
+    }
+    print_line(&format!(
+        "{}: {} at {} points, {} samples, mean {:.6}, mean relative standard error {:.2} %",
+        result.scene,
+        result.quantity,
+        result.points.len(),
+        result.samples,
+        sum / (3 * result.points.len().max(1)) as f64,
+        100.0 * result.mean_relative_error
+    ))
+}
+
+/// The path tracer's own settings, as its estimator takes them.
+fn light_paths(lab: &Lab, command: &ReferenceCommand) -> Result<LightPaths, HarnessError> {
+    use interreflect_estimators::OwnModel;
+    let method = lab.configure("path_reference", &command.settings)?;
+    Ok(match method.model(command.quantity) {
+        OwnModel::LightTransport(paths) => paths,
+        _ => LightPaths::default(),
+    })
+}
+
+/// When to stop; a thousand samples if nothing is said.
+pub(super) fn stop(budget: &ReferenceBudget) -> Stop {
+    let nothing = *budget == ReferenceBudget::default();
+    Stop {
+        samples: match budget.samples {
+            Some(samples) => Some(samples as u32),
+            None => nothing.then_some(SAMPLES),
+        },
+        relative_error: budget.error.map(|e| e as f32),
+        seconds: budget.seconds.map(|s| s as f32),
+    }
+}
+
+/// Samples per point if nothing is said.
+const SAMPLES: u32 = 1024;

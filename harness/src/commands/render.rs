@@ -1,0 +1,193 @@
+//! `render`: an image with one estimator.
+
+use super::{print_json, print_line};
+use crate::cli::Render;
+use crate::error::HarnessError;
+use crate::lab::Lab;
+use crate::measure::{Measured, measure};
+use crate::output::{Exposure, HdrImage, write_exr, write_png};
+use crate::record::{Backend, Phases};
+use crate::stage::{CpuStage, GpuStage};
+use crate::view::View;
+use glam::Vec3;
+use interreflect_estimators::{Configured, Quantity, Registry};
+use interreflect_scene::{Camera, Estimate, Points, Scene};
+use serde::Serialize;
+use std::f32::consts::FRAC_1_PI;
+use std::path::PathBuf;
+
+/// Folder for images if nothing is said.
+const OUT: &str = "results";
+
+#[derive(Serialize)]
+struct Rendered {
+    scene: String,
+    estimator: &'static str,
+    backend: Backend,
+    software: bool,
+    quantity: &'static str,
+    shown: &'static str,
+    resolution: [u32; 2],
+    phases_ms: Phases,
+    exr: PathBuf,
+    png: PathBuf,
+}
+
+pub(super) fn run(command: &Render, registry: Registry) -> Result<(), HarnessError> {
+    let lab = Lab::new(registry, &command.run)?;
+    let id = [command.estimator.clone()];
+    lab.check_owners(&id, &command.settings)?;
+    let method = lab.configure(&command.estimator, &command.settings)?;
+    let shown = Shown::choose(&*method, command.quantity);
+    let gpu = command.backend.list().contains(&Backend::Gpu);
+    let loaded = lab.load(
+        &command.scene,
+        &command.scene_options,
+        &command.settings,
+        gpu,
+    )?;
+    let scene = loaded.cpu.clone();
+    let camera = resized(scene.scene(), command);
+    let view = lab.cpu.install(|| View::new(&scene, &camera));
+    let points = view.points(shown.quantity().layout());
+    let mut gpu_stage = match loaded.gpu {
+        Some(gpu) => {
+            let (context, scene) = gpu?;
+            Some(GpuStage { context, scene })
+        }
+        None => None,
+    };
+    let mut rendered = Vec::new();
+    for &backend in command.backend.list() {
+        let stage = match backend {
+            Backend::Gpu => gpu_stage.take(),
+            Backend::Cpu => None,
+        };
+        let software = stage.as_ref().is_some_and(|s| s.context.info().software);
+        let measured = estimate(&lab, stage, &scene, &*method, shown.quantity(), &points)?;
+        let image = shown.image(&view, &measured.estimate);
+        let stem = format!(
+            "{}-{}-{}-{backend}",
+            scene.scene().name,
+            method.info().id,
+            shown.name()
+        );
+        let folder = command.out.clone().unwrap_or_else(|| OUT.into());
+        let (exr, png) = (
+            folder.join(format!("{stem}.exr")),
+            folder.join(format!("{stem}.png")),
+        );
+        write_exr(&exr, &image)?;
+        write_png(&png, &image, Exposure::of(&image))?;
+        rendered.push(Rendered {
+            scene: scene.scene().name.clone(),
+            estimator: method.info().id,
+            backend,
+            software,
+            quantity: shown.quantity().name(),
+            shown: shown.name(),
+            resolution: camera.resolution,
+            phases_ms: measured.phases,
+            exr,
+            png,
+        });
+    }
+    if command.json {
+        return print_json(&rendered);
+    }
+    for r in &rendered {
+        let ms = r.phases_ms.frame_ms().unwrap_or(0.0);
+        let software = if r.software {
+            " (software adapter)"
+        } else {
+            ""
+        };
+        print_line(&format!(
+            "{}  {ms:.1} ms a frame{software}",
+            r.png.display()
+        ))?;
+    }
+    Ok(())
+}
+
+fn estimate(
+    lab: &Lab,
+    gpu: Option<GpuStage>,
+    scene: &std::sync::Arc<interreflect_cpu::scene::CpuScene>,
+    method: &dyn Configured,
+    quantity: Quantity,
+    points: &Points,
+) -> Result<Measured, HarnessError> {
+    match gpu {
+        Some(stage) => measure(&stage, scene.scene(), method, quantity, points, 1),
+        None => {
+            let stage = CpuStage {
+                cx: &lab.cpu,
+                scene: scene.clone(),
+            };
+            measure(&stage, scene.scene(), method, quantity, points, 1)
+        }
+    }
+}
+
+fn resized(scene: &Scene, command: &Render) -> Camera {
+    let [width, height] = scene.camera.resolution;
+    Camera {
+        resolution: [
+            command.width.unwrap_or(width),
+            command.height.unwrap_or(height),
+        ],
+        ..scene.camera
+    }
+}
+
+/// What the image shows.
+enum Shown {
+    /// The quantity by itself.
+    Quantity(Quantity),
+    /// All light that reaches the camera: direct light and, from the estimate, indirect light.
+    Light(Quantity),
+}
+
+impl Shown {
+    fn choose(method: &dyn Configured, asked: Option<Quantity>) -> Self {
+        let offered = method.quantities();
+        match asked {
+            Some(quantity) => Self::Quantity(quantity),
+            None if offered.contains(&Quantity::GlossyRadiance) => {
+                Self::Light(Quantity::GlossyRadiance)
+            }
+            None if offered.contains(&Quantity::Irradiance) => Self::Light(Quantity::Irradiance),
+            None => Self::Quantity(offered[0]),
+        }
+    }
+
+    fn quantity(&self) -> Quantity {
+        match self {
+            Self::Quantity(quantity) | Self::Light(quantity) => *quantity,
+        }
+    }
+
+    fn name(&self) -> &'static str {
+        match self {
+            Self::Quantity(quantity) => quantity.name(),
+            Self::Light(_) => "light",
+        }
+    }
+
+    fn image(&self, view: &View, estimate: &Estimate) -> HdrImage {
+        let [width, height] = view.resolution.map(|v| v as usize);
+        let mut image = HdrImage::new(width, height);
+        for (i, (pixel, value)) in image.pixels.iter_mut().zip(estimate.iter()).enumerate() {
+            let reflected = match self {
+                Self::Quantity(_) | Self::Light(Quantity::GlossyRadiance) => Vec3::ONE,
+                Self::Light(_) => view.albedo(i) * FRAC_1_PI,
+            };
+            *pixel = value * reflected * view.throughput[i];
+            if let Self::Light(_) = self {
+                *pixel += view.direct[i];
+            }
+        }
+        image
+    }
+}

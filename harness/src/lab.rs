@@ -1,0 +1,159 @@
+//! What a command works with: the registered methods and the backends of this machine.
+
+use crate::cli::{RunOptions, SceneOptions, Setting};
+use crate::error::HarnessError;
+use crate::machine::{Adapter, Machine};
+use interreflect_cpu::scene::CpuScene;
+use interreflect_cpu::tiles::CpuCx;
+use interreflect_estimators::{Configured, Registry};
+use interreflect_gpu::{GpuContext, GpuError, GpuScene};
+use interreflect_scene::load::{SceneRequest, open};
+use std::sync::{Arc, OnceLock};
+
+/// Methods and backends.
+pub struct Lab {
+    /// The methods.
+    pub registry: Registry,
+    /// Threads and instruction set of the CPU backend.
+    pub cpu: CpuCx,
+    /// Seed of everything random.
+    pub seed: u64,
+    adapter: Option<String>,
+    gpu: OnceLock<Result<Arc<GpuContext>, GpuError>>,
+}
+
+/// A scene on the backends.
+pub struct Loaded {
+    /// On the CPU; it also traces the truth.
+    pub cpu: Arc<CpuScene>,
+    /// On the GPU, or why not. `None` if it was not asked for.
+    pub gpu: Option<Result<(Arc<GpuContext>, GpuScene), GpuError>>,
+}
+
+impl Lab {
+    /// Sets up the CPU backend; the GPU is opened when it is first needed.
+    ///
+    /// # Errors
+    /// [`HarnessError`] if the threads or instructions that were asked for can't be had.
+    pub fn new(registry: Registry, options: &RunOptions) -> Result<Self, HarnessError> {
+        Ok(Self {
+            registry,
+            cpu: CpuCx::new(options.threads, options.instruction_set)?,
+            seed: options.seed,
+            adapter: options.adapter.clone(),
+            gpu: OnceLock::new(),
+        })
+    }
+
+    /// The GPU, opened once.
+    ///
+    /// # Errors
+    /// [`GpuError`] if there is none, or not the one that was asked for.
+    pub fn gpu(&self) -> Result<&Arc<GpuContext>, GpuError> {
+        let opened = self
+            .gpu
+            .get_or_init(|| GpuContext::new(self.adapter.as_deref()));
+        opened.as_ref().map_err(GpuError::clone)
+    }
+
+    /// Where results come from. Names the adapter only if it was opened.
+    pub fn machine(&self) -> Machine {
+        let adapter = self.gpu.get().and_then(|gpu| gpu.as_ref().ok());
+        let adapter = adapter.map(|gpu| {
+            let info = gpu.info();
+            Adapter {
+                name: info.name.clone(),
+                driver: format!("{} {}", info.driver, info.driver_info),
+                software: info.software,
+            }
+        });
+        let set = self.cpu.instruction_set().name();
+        Machine::detect(self.cpu.threads(), set, adapter.as_ref())
+    }
+
+    /// Opens a scene on the CPU and, if asked for, on the GPU.
+    ///
+    /// # Errors
+    /// [`HarnessError`] if the scene can't be used. A missing GPU is left in the result.
+    pub fn load(
+        &self,
+        source: &str,
+        options: &SceneOptions,
+        settings: &[Setting],
+        on_gpu: bool,
+    ) -> Result<Loaded, HarnessError> {
+        let of_scene = settings.iter().filter_map(|s| match s.split() {
+            (Some(SCENE), name) => Some((name.to_owned(), s.value.clone())),
+            _ => None,
+        });
+        let path = |p: &std::path::PathBuf| p.to_string_lossy().into_owned();
+        let scene = open(&SceneRequest {
+            source: source.into(),
+            receiver: options.receiver.as_ref().map(path),
+            environment: options.environment.clone(),
+            reference_point: options.reference_point,
+            set: of_scene.collect(),
+        })?;
+        let cpu = Arc::new(self.cpu.install(|| CpuScene::new(&scene))?);
+        let gpu = on_gpu.then(|| {
+            let context = self.gpu()?;
+            Ok((context.clone(), GpuScene::new(context, &scene)?))
+        });
+        Ok(Loaded { cpu, gpu })
+    }
+
+    /// A method with the settings that are meant for it: all unqualified ones, if it is the only
+    /// method, and those qualified by its id.
+    ///
+    /// # Errors
+    /// [`HarnessError`] if a setting is refused.
+    pub fn configure(
+        &self,
+        id: &str,
+        settings: &[Setting],
+    ) -> Result<Box<dyn Configured>, HarnessError> {
+        let mut method = self.registry.get(id)?.configure();
+        for setting in settings {
+            let (owner, name) = setting.split();
+            if owner.is_none_or(|owner| owner == id) {
+                method
+                    .set(name, &setting.value)
+                    .map_err(|error| HarnessError::Param {
+                        estimator: id.into(),
+                        error,
+                    })?;
+            }
+        }
+        Ok(method)
+    }
+
+    /// Checks that every setting is meant for a scene or for one of these methods.
+    ///
+    /// # Errors
+    /// [`HarnessError::Usage`] if one is not, or is not qualified while several methods run.
+    pub fn check_owners(&self, ids: &[String], settings: &[Setting]) -> Result<(), HarnessError> {
+        for setting in settings {
+            match setting.split() {
+                (None, name) if ids.len() > 1 => {
+                    return Err(HarnessError::Usage(format!(
+                        "--set {name}={}: several estimators run; say which one is meant, as in \
+                         `{}.{name}`",
+                        setting.value, ids[0]
+                    )));
+                }
+                (Some(owner), name) if owner != SCENE && !ids.iter().any(|id| id == owner) => {
+                    self.registry.get(owner)?;
+                    return Err(HarnessError::Usage(format!(
+                        "--set {owner}.{name}={}: {owner} does not run; add --estimator {owner}",
+                        setting.value
+                    )));
+                }
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Qualifier of settings that are meant for the scene.
+const SCENE: &str = "scene";

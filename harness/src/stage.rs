@@ -1,0 +1,195 @@
+//! A scene set up on one backend: where captures, points and estimates live, and how a phase is
+//! timed there.
+
+use interreflect_cpu::capture::cube::capture_cube as capture_cube_cpu;
+use interreflect_cpu::scene::CpuScene;
+use interreflect_cpu::tiles::CpuCx;
+use interreflect_estimators::{
+    Backend, Captures, Configured, Cpu, EstimatorError, Gpu, Session, Unsupported,
+};
+use interreflect_gpu::{
+    GpuContext, GpuEstimate, GpuPoints, GpuScene, capture_cube as capture_cube_gpu,
+};
+use interreflect_scene::{Estimate, Needs, Points};
+use std::sync::Arc;
+use std::time::Instant;
+
+/// A backend with a scene on it.
+pub trait Stage {
+    /// The backend.
+    type Backend: Backend;
+
+    /// Starts a method here.
+    ///
+    /// # Errors
+    /// [`Unsupported`] if it has no implementation here.
+    fn open(&self, method: &dyn Configured)
+    -> Result<Box<dyn Session<Self::Backend>>, Unsupported>;
+
+    /// Puts points, and room for their estimate, where the backend reads them.
+    ///
+    /// # Errors
+    /// [`EstimatorError`] if they don't fit.
+    fn place(&self, points: &Points) -> Result<Placed<Self::Backend>, EstimatorError>;
+
+    /// Makes every capture that is needed; milliseconds.
+    ///
+    /// # Errors
+    /// [`EstimatorError`] if the backend refuses.
+    fn capture(&self, needs: &Needs) -> Result<(Captures<Self::Backend>, f64), EstimatorError>;
+
+    /// Runs one phase to its end; milliseconds.
+    ///
+    /// # Errors
+    /// [`EstimatorError`] if the work fails or the backend refuses.
+    fn timed(
+        &self,
+        label: &str,
+        work: &mut dyn FnMut(&mut <Self::Backend as Backend>::Cx<'_>) -> Result<(), EstimatorError>,
+    ) -> Result<f64, EstimatorError>;
+
+    /// Brings the estimate to the host; milliseconds, or `None` where it is there already.
+    ///
+    /// # Errors
+    /// [`EstimatorError`] if the backend refuses.
+    fn read_back(
+        &self,
+        out: &<Self::Backend as Backend>::Out,
+    ) -> Result<(Estimate, Option<f64>), EstimatorError>;
+
+    /// Milliseconds spent compiling so far, or `None` where nothing is compiled.
+    fn compiled_ms(&self) -> Option<f64>;
+
+    /// Whether phases are timed by the device's own clock.
+    fn device_clock(&self) -> bool;
+}
+
+/// Points and room for their estimate on a backend.
+pub struct Placed<B: Backend> {
+    /// The points.
+    pub points: B::Points,
+    /// Where the estimate goes.
+    pub out: B::Out,
+}
+
+/// A scene on the CPU.
+pub struct CpuStage<'a> {
+    /// Threads and instruction set.
+    pub cx: &'a CpuCx,
+    /// The scene.
+    pub scene: Arc<CpuScene>,
+}
+
+impl Stage for CpuStage<'_> {
+    type Backend = Cpu;
+
+    fn open(&self, method: &dyn Configured) -> Result<Box<dyn Session<Cpu>>, Unsupported> {
+        method.on_cpu()
+    }
+
+    fn place(&self, points: &Points) -> Result<Placed<Cpu>, EstimatorError> {
+        Ok(Placed {
+            points: points.clone(),
+            out: Estimate::new(points.len()),
+        })
+    }
+
+    fn capture(&self, needs: &Needs) -> Result<(Captures<Cpu>, f64), EstimatorError> {
+        let mut captures = Captures::default();
+        let start = Instant::now();
+        for spec in &needs.cubes {
+            let cube = self.cx.install(|| capture_cube_cpu(&self.scene, *spec));
+            captures.cubes.insert(*spec, cube);
+        }
+        let ms = milliseconds(start);
+        if needs.light_transport {
+            captures.transport = Some(self.scene.clone());
+        }
+        Ok((captures, ms))
+    }
+
+    fn timed(
+        &self,
+        _label: &str,
+        work: &mut dyn FnMut(&mut &CpuCx) -> Result<(), EstimatorError>,
+    ) -> Result<f64, EstimatorError> {
+        let mut cx = self.cx;
+        let start = Instant::now();
+        work(&mut cx)?;
+        Ok(milliseconds(start))
+    }
+
+    fn read_back(&self, out: &Estimate) -> Result<(Estimate, Option<f64>), EstimatorError> {
+        Ok((out.clone(), None))
+    }
+
+    fn compiled_ms(&self) -> Option<f64> {
+        None
+    }
+
+    fn device_clock(&self) -> bool {
+        false
+    }
+}
+
+/// A scene on the GPU.
+pub struct GpuStage {
+    /// The device.
+    pub context: Arc<GpuContext>,
+    /// The scene, uploaded.
+    pub scene: GpuScene,
+}
+
+impl Stage for GpuStage {
+    type Backend = Gpu;
+
+    fn open(&self, method: &dyn Configured) -> Result<Box<dyn Session<Gpu>>, Unsupported> {
+        method.on_gpu(&self.context)
+    }
+
+    fn place(&self, points: &Points) -> Result<Placed<Gpu>, EstimatorError> {
+        Ok(Placed {
+            points: GpuPoints::upload(&self.context, points)?,
+            out: GpuEstimate::new(&self.context, points.len())?,
+        })
+    }
+
+    fn capture(&self, needs: &Needs) -> Result<(Captures<Gpu>, f64), EstimatorError> {
+        let mut captures = Captures::default();
+        let (_, time) = self.context.record("capture", |cx| {
+            for spec in &needs.cubes {
+                let cube = capture_cube_gpu(cx, &self.scene, *spec)?;
+                captures.cubes.insert(*spec, cube);
+            }
+            Ok::<_, EstimatorError>(())
+        })?;
+        Ok((captures, time.ms))
+    }
+
+    fn timed(
+        &self,
+        label: &str,
+        work: &mut dyn FnMut(&mut interreflect_gpu::GpuCx) -> Result<(), EstimatorError>,
+    ) -> Result<f64, EstimatorError> {
+        let (_, time) = self.context.record(label, |cx| work(cx))?;
+        Ok(time.ms)
+    }
+
+    fn read_back(&self, out: &GpuEstimate) -> Result<(Estimate, Option<f64>), EstimatorError> {
+        let start = Instant::now();
+        let estimate = out.download(&self.context)?;
+        Ok((estimate, Some(milliseconds(start))))
+    }
+
+    fn compiled_ms(&self) -> Option<f64> {
+        Some(self.context.cache_stats().ms)
+    }
+
+    fn device_clock(&self) -> bool {
+        self.context.device_clock()
+    }
+}
+
+fn milliseconds(start: Instant) -> f64 {
+    start.elapsed().as_secs_f64() * 1e3
+}
