@@ -1,7 +1,7 @@
 //! The images of a bench: references and estimates side by side.
 
 use crate::error::HarnessError;
-use crate::output::{ErrorMap, Exposure, HdrImage, error_range};
+use crate::output::{ErrorMap, Exposure, error_range};
 use crate::output::{write_error_map, write_exr, write_png};
 use crate::record::Run;
 use crate::report::{ImageRow, LabelledImage};
@@ -13,20 +13,26 @@ use std::path::Path;
 
 /// Rows of images, one per scene and quantity.
 #[derive(Default)]
-pub struct Gallery {
+pub(crate) struct Gallery {
     rows: Vec<ImageRow>,
 }
 
 impl Gallery {
     /// Begins the row of a scene and quantity with the truth.
-    pub fn begin(&mut self, scene: &str, quantity: Quantity, view: &View, truth: &ModelValues) {
+    pub(crate) fn begin(
+        &mut self,
+        scene: &str,
+        quantity: Quantity,
+        view: &View,
+        truth: &ModelValues,
+    ) {
         self.rows.push(ImageRow {
             scene: scene.into(),
             quantity: quantity.name().into(),
             reference: LabelledImage {
                 label: "truth".into(),
                 note: truth.description.clone(),
-                image: image(view, &truth.values),
+                image: view.image(&truth.values),
             },
             estimates: Vec::new(),
             surfaces: Some(view.surfaces()),
@@ -34,12 +40,12 @@ impl Gallery {
     }
 
     /// Adds an estimate to the row that was begun last.
-    pub fn add(&mut self, run: &Run, view: &View, estimate: &Estimate) {
+    pub(crate) fn add(&mut self, run: &Run, view: &View, estimate: &Estimate) {
         if let Some(row) = self.rows.last_mut() {
             row.estimates.push(LabelledImage {
                 label: run.label(),
                 note: run.backend.to_string(),
-                image: image(view, estimate),
+                image: view.image(estimate),
             });
         }
     }
@@ -49,7 +55,7 @@ impl Gallery {
     ///
     /// # Errors
     /// [`HarnessError`] if a file can't be written.
-    pub fn write(&self, folder: &Path) -> Result<(), HarnessError> {
+    pub(crate) fn write(&self, folder: &Path) -> Result<(), HarnessError> {
         for row in &self.rows {
             let folder = folder.join(&row.scene).join(&row.quantity);
             let exposure = Exposure::of(&row.reference.image);
@@ -78,7 +84,7 @@ impl Gallery {
     }
 
     /// The rows, for a report.
-    pub fn into_rows(self) -> Vec<ImageRow> {
+    pub(crate) fn into_rows(self) -> Vec<ImageRow> {
         self.rows
     }
 }
@@ -89,15 +95,4 @@ fn file_stem(row: &ImageRow, picture: &LabelledImage) -> String {
         true => label,
         false => format!("{label}-{}", picture.note),
     }
-}
-
-/// The estimate at each pixel, seen through the mirrors in between.
-fn image(view: &View, estimate: &Estimate) -> HdrImage {
-    let [width, height] = view.resolution.map(|v| v as usize);
-    let mut image = HdrImage::new(width, height);
-    let values = estimate.iter().zip(&view.throughput);
-    for (pixel, (value, throughput)) in image.pixels.iter_mut().zip(values) {
-        *pixel = value * *throughput;
-    }
-    image
 }

@@ -14,6 +14,7 @@ pub mod measure;
 pub mod metrics;
 pub mod output;
 mod progress;
+mod quiet;
 pub mod record;
 pub mod report;
 pub mod stage;
@@ -25,11 +26,17 @@ use interreflect_estimators::Registry;
 use std::ffi::OsString;
 use std::process::ExitCode;
 
-/// Runs the program with these methods and arguments (the program's own name first).
+/// Runs the program with these methods and the process's arguments.
 ///
 /// Exit code 0 on success, 2 on bad usage or input with one line on standard error, 1 on anything
 /// else.
-pub fn run(registry: Registry, arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+pub fn run(registry: Registry) -> ExitCode {
+    quiet::restart_without_driver_chatter();
+    run_with(registry, std::env::args_os())
+}
+
+/// As [`run`], with arguments of the caller's (the program's own name first).
+pub fn run_with(registry: Registry, arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let cli = match cli::Cli::parse_arguments(arguments) {
         Ok(cli) => cli,
         Err(cli::Stop::Information(text)) => {

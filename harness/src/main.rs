@@ -4,5 +4,5 @@ use interreflect_estimators::Registry;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    interreflect::run(Registry::builtin(), std::env::args_os())
+    interreflect::run(Registry::builtin())
 }

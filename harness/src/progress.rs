@@ -4,7 +4,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
 
 /// A bar on standard error that counts to `length`.
-pub fn bar(what: &'static str, length: u64) -> ProgressBar {
+pub(crate) fn bar(what: &'static str, length: u64) -> ProgressBar {
     let bar = ProgressBar::with_draw_target(Some(length), target()).with_message(what);
     match ProgressStyle::with_template("{msg:<40!} {wide_bar} {percent:>3} % {elapsed}") {
         Ok(style) => bar.with_style(style),

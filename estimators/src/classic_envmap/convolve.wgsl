@@ -1,4 +1,4 @@
-// The convolved maps, one invocation a node: E(n) = Σ L·(n·Ω)⁺ or the Phong-filtered radiance.
+// The convolved maps, one invocation a node: E(n) = Σ L·∫(n·ω)⁺dω or the Phong-filtered radiance.
 
 struct Convolve {
     // Nodes of a map, and texels to sum over.

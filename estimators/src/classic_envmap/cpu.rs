@@ -89,7 +89,7 @@ impl Estimator<Cpu> for ClassicEnvmap {
     }
 }
 
-/// E(n) = Σ L·(n·Ω)⁺.
+/// E(n) = Σ L·∫(n·ω)⁺dω.
 struct Cosine<'a>(&'a [Source]);
 
 impl TileKernel for Cosine<'_> {

@@ -34,10 +34,20 @@ pub fn texel_vector_sr(size: u32, face: usize, column: u32, row: u32) -> DVec3 {
     }
 }
 
-/// (n·Ω)⁺: what a texel of radiance 1 and vector solid angle `vector` adds to the irradiance.
+/// ∫(n·ω)⁺dω over a texel of vector solid angle Ω: what it adds to the irradiance for radiance 1.
+///
+/// n·Ω is exact for a texel wholly above the horizon. One that the horizon cuts is taken to spread
+/// its cosines evenly over c ± w, c = n·Ω/|Ω| and w = √|Ω|/2, half its width: (c+w)²/(4w) of |Ω|
+/// is then above.
 #[inline(always)]
 pub fn cosine_weight<L: Lane>(n: Vector<L>, vector: Vector<L>) -> L {
-    n.dot(vector).max(L::splat(0.0))
+    let zero = L::splat(0.0);
+    let omega = vector.dot(vector).sqrt();
+    let cos = n.dot(vector) / omega;
+    let half_width = L::splat(0.5) * omega.sqrt();
+    let risen = (cos + half_width).max(zero).min(half_width + half_width);
+    let cut = risen * risen / (L::splat(4.0) * half_width);
+    omega * (cut + (cos - half_width).max(zero))
 }
 
 /// (cos/cos_max)^N: a texel's Phong weight over that of the texel nearest to the lobe's axis, so

@@ -1,8 +1,12 @@
 // Twins of math.rs, function by function.
 
-// (n·Ω)⁺.
+// ∫(n·ω)⁺dω over a texel of vector solid angle Ω, which the horizon may cut.
 fn cosine_weight(n: vec3f, vector: vec3f) -> f32 {
-    return max(dot(n, vector), 0.0);
+    let omega = length(vector);
+    let cos_theta = dot(n, vector) / omega;
+    let half_width = 0.5 * sqrt(omega);
+    let risen = clamp(cos_theta + half_width, 0.0, 2.0 * half_width);
+    return omega * (risen * risen / (4.0 * half_width) + max(cos_theta - half_width, 0.0));
 }
 
 // (cos/cos_max)^N, 0 for cos ≤ 0.

@@ -16,7 +16,7 @@ impl Default for ClassicEnvmapParams {
         Self {
             resolution: 32,
             capture_resolution: 256,
-            map_resolution: 32,
+            map_resolution: 64,
         }
     }
 }

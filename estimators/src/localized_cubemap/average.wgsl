@@ -6,7 +6,7 @@ struct Average {
     size: u32,
     // 1: Δω' of the shader, not of the text.
     shader_omega: u32,
-    // 1: there are distances (published) or surfaces (corrected).
+    // 1: there are distances, and where corrected looks for them normals.
     located: u32,
 }
 
@@ -22,9 +22,7 @@ const EDGE_ON: f32 = 1e-6;
 @group(0) @binding(3) var<storage, read> omegas_sr: array<f32>;
 // Solid angles of the averaged texels of a face.
 @group(0) @binding(4) var<storage, read> texel_omegas_sr: array<f32>;
-// Distance (a) and normal at the averaged texels' centres.
-@group(0) @binding(5) var surface_distance: texture_2d_array<f32>;
-@group(0) @binding(6) var surface_normal: texture_2d_array<f32>;
+@group(0) @binding(5) var normals: texture_2d_array<f32>;
 
 // rgb and weight; distance and count of texels with a surface.
 var<workgroup> sums: array<vec4f, GROUP>;
@@ -86,6 +84,17 @@ fn average_published(@builtin(workgroup_id) texel: vec3u, @builtin(local_invocat
         Texel(vector / l, inverse_distance, sums[0].rgb / sums[0].w, omega, vec3f(0.0), 0.0);
 }
 
+// Distance at which the ray along `direction` meets the plane that a neighbouring ray, along
+// `near`, met at distance `d`; d itself where the plane is almost edge-on to either.
+fn distance_along(direction: vec3f, near: vec3f, d: f32, normal: vec3f) -> f32 {
+    let at_near = -dot(normal, near);
+    let at_direction = -dot(normal, direction);
+    if at_near < 2.0 * at_direction && at_direction < 2.0 * at_near {
+        return d * (at_near / at_direction);
+    }
+    return d;
+}
+
 @compute @workgroup_size(64)
 fn average_corrected(@builtin(workgroup_id) texel: vec3u, @builtin(local_invocation_index) lane: u32) {
     sum_covered(texel, lane, true);
@@ -96,10 +105,14 @@ fn average_corrected(@builtin(workgroup_id) texel: vec3u, @builtin(local_invocat
     var inverse_distance = 0.0;
     var normal = -direction;
     if average.located != 0u {
-        let distance = textureLoad(surface_distance, texel.xy, texel.z, 0).a;
+        // Of four captured texels around the middle, the one of the smallest column and row.
+        let step = average.size / average.m;
+        let near = texel.xy * step + vec2u((step - 1u) / 2u);
+        let distance = textureLoad(captured, near, texel.z, 0).a;
         if distance > 0.0 {
-            inverse_distance = 1.0 / max(distance, NEAREST_M);
-            normal = textureLoad(surface_normal, texel.xy, texel.z, 0).xyz;
+            normal = textureLoad(normals, near, texel.z, 0).xyz;
+            let along = normalize(cube_vector(texel.z, texel_centre(average.size, near.x), texel_centre(average.size, near.y)));
+            inverse_distance = 1.0 / max(distance_along(direction, along, distance, normal), NEAREST_M);
         }
     }
     let omega = texel_omegas_sr[texel.y * average.m + texel.x];

@@ -30,8 +30,8 @@ impl Estimator<Cpu> for LocalizedCubemap {
         _out: &Estimate,
     ) -> Result<(), EstimatorError> {
         if inputs.changed.any(Changed::PARAMS | Changed::CAPTURES) {
-            let (captured, surfaces) = params.read(inputs)?;
-            state.texels = texels(params, captured, surfaces);
+            let captured = inputs.cube(&params.captured(&inputs.scene))?;
+            state.texels = texels(params, captured);
         }
         Ok(())
     }

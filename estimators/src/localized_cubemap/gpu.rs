@@ -6,6 +6,7 @@ use super::{LocalizedCubemap, LocalizedCubemapParams};
 use crate::averaging::face_solid_angles_sr;
 use crate::{Changed, Estimator, EstimatorError, Gpu, Inputs, LOBE_POWER, Quantity};
 use interreflect_gpu::{Binding, GpuContext, GpuCx, GpuEstimate, Kernel, Shader, wgsl};
+use interreflect_scene::CubeSpec;
 use interreflect_scene::conventions::CUBE_FACES;
 use interreflect_scene::params::Fidelity;
 
@@ -142,26 +143,19 @@ fn average(
     cx: &mut GpuCx,
     inputs: &Inputs<'_, Gpu>,
 ) -> Result<wgpu::Buffer, EstimatorError> {
-    let (captured, surfaces) = params.read(inputs)?;
-    let size = captured.spec().size;
+    let captured = inputs.cube(&params.captured(&inputs.scene))?;
+    let CubeSpec { size, channels } = captured.spec();
     let context = cx.context();
     let texels = texel_buffer(context, params.texels() as usize)?;
     let missing = || EstimatorError::Missing("a channel of the captured cube".into());
     let radiance = captured.radiance_distance().ok_or_else(missing)?;
-    let (distance, normal) = match surfaces {
-        Some(s) => (
-            s.radiance_distance().ok_or_else(missing)?,
-            s.normal().ok_or_else(missing)?,
-        ),
-        None => (radiance, radiance),
-    };
-    let uniform = Average {
+    let average = Average {
         m: params.resolution,
         size,
         shader_omega: u32::from(params.solid_angle == SolidAngle::Shader),
-        located: u32::from(captured.spec().channels.distance || surfaces.is_some()),
+        located: u32::from(channels.distance),
     };
-    let uniform = context.uniform("localized_cubemap average", &uniform)?;
+    let average = context.uniform("localized_cubemap average", &average)?;
     let (entry, omegas, texel_omegas) = match params.fidelity {
         Fidelity::Published => ("average_published", vec![0.0], vec![0.0]),
         Fidelity::Corrected => (
@@ -172,13 +166,14 @@ fn average(
     };
     let omegas = context.storage("captured solid angles", &omegas)?;
     let texel_omegas = context.storage("texel solid angles", &texel_omegas)?;
-    let bindings: [Binding<'_>; 7] = [
-        (&uniform).into(),
+    // A cube without normals has no place either: the shader does not look at them then.
+    let normal = captured.normal().unwrap_or(radiance);
+    let bindings: [Binding<'_>; 6] = [
+        (&average).into(),
         (&texels).into(),
         radiance.into(),
         (&omegas).into(),
         (&texel_omegas).into(),
-        distance.into(),
         normal.into(),
     ];
     let kernel = context.kernel(&AVERAGE, entry, &bindings)?;

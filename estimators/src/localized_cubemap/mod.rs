@@ -9,7 +9,7 @@ pub mod math;
 mod params;
 mod texels;
 
-use crate::{Backend, EstimatorError, Info, Inputs, Method, OwnModel, Quantity, Unsupported};
+use crate::{Info, Method, OwnModel, Quantity, Unsupported};
 use interreflect_scene::params::Fidelity;
 use interreflect_scene::{CubeChannels, CubeSpec, Needs, SceneFacts};
 
@@ -34,10 +34,10 @@ impl Method for LocalizedCubemap {
         _quantity: Quantity,
         scene: &SceneFacts,
     ) -> Result<Needs, Unsupported> {
-        let mut needs = Needs::default();
-        needs.cubes.insert(params.captured(scene));
-        needs.cubes.extend(params.texel_surfaces(scene));
-        Ok(needs)
+        Ok(Needs {
+            cubes: [params.captured(scene)].into(),
+            ..Needs::default()
+        })
     }
 
     fn model(_params: &Self::Params, _quantity: Quantity) -> OwnModel {
@@ -52,41 +52,16 @@ impl LocalizedCubemapParams {
         self.capture_resolution.next_multiple_of(self.resolution)
     }
 
-    /// The captures as the backend holds them: the cube that is averaged down, and the surfaces
-    /// at the texels' centres where they were declared.
-    fn read<'a, B: Backend>(
-        &self,
-        inputs: &Inputs<'a, B>,
-    ) -> Result<(&'a B::Cube, Option<&'a B::Cube>), EstimatorError> {
-        let surfaces = self.texel_surfaces(&inputs.scene);
-        Ok((
-            inputs.cube(&self.captured(&inputs.scene))?,
-            surfaces.map(|s| inputs.cube(&s)).transpose()?,
-        ))
-    }
-
-    /// The capture that is averaged down. `published` averages distances too.
+    /// The capture that is averaged down. Both fidelities place a texel by its distance,
+    /// `corrected` by its surface's normal too; nothing has a place without surfaces.
     fn captured(&self, scene: &SceneFacts) -> CubeSpec {
         CubeSpec {
             size: self.capture_size(),
             channels: CubeChannels {
                 radiance: true,
-                distance: self.fidelity == Fidelity::Published && scene.surfaces,
-                normal: false,
+                distance: scene.surfaces,
+                normal: scene.surfaces && self.fidelity == Fidelity::Corrected,
             },
         }
-    }
-
-    /// `corrected` takes distance and normal on the ray through each texel's centre instead of an
-    /// average: a second capture at the final resolution.
-    fn texel_surfaces(&self, scene: &SceneFacts) -> Option<CubeSpec> {
-        (self.fidelity == Fidelity::Corrected && scene.surfaces).then_some(CubeSpec {
-            size: self.resolution,
-            channels: CubeChannels {
-                radiance: false,
-                distance: true,
-                normal: true,
-            },
-        })
     }
 }

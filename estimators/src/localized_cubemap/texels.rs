@@ -36,13 +36,8 @@ const EDGE_ON: f64 = 1e-6;
 
 /// Averages the captures down to the texels of `params`, in the order of texel indices.
 ///
-/// `captured` is the cube of radiance (and distance: `published`); `surfaces` the cube of distance
-/// and normal at the final resolution (`corrected`). A cube without distances is at infinity.
-pub(super) fn texels(
-    params: &LocalizedCubemapParams,
-    captured: &CubeImage,
-    surfaces: Option<&CubeImage>,
-) -> Vec<Texel> {
+/// A cube without distances is at infinity.
+pub(super) fn texels(params: &LocalizedCubemapParams, captured: &CubeImage) -> Vec<Texel> {
     let m = params.resolution;
     let omegas_sr = match params.fidelity {
         Fidelity::Published => Vec::new(),
@@ -56,7 +51,7 @@ pub(super) fn texels(
                     Fidelity::Published => published(params, captured, face, column, row),
                     Fidelity::Corrected => {
                         let radiance = mean_radiance(captured, &omegas_sr, m, face, column, row);
-                        corrected(radiance, m, surfaces, face, column, row)
+                        corrected(radiance, m, captured, face, column, row)
                     }
                 });
             }
@@ -113,16 +108,19 @@ fn published(
 fn corrected(
     radiance: Vec3,
     m: u32,
-    surfaces: Option<&CubeImage>,
+    captured: &CubeImage,
     face: usize,
     column: u32,
     row: u32,
 ) -> Texel {
     let (_, direction) = ray(m, face, column, row);
-    let index = texel_index(m, face, column, row);
-    let distance = surfaces.map_or(f32::INFINITY, |s| s.distance[index]);
-    let (inverse_distance, normal) = match surfaces {
-        Some(s) if distance.is_finite() => (1.0 / distance.max(NEAREST_M), s.normal[index]),
+    let near = middle(m, captured.size, face, column, row);
+    let (inverse_distance, normal) = match captured.distance.get(near.index) {
+        Some(d) if d.is_finite() => {
+            let normal = captured.normal[near.index];
+            let d = distance_along(direction, near.direction, *d, normal);
+            (1.0 / d.max(NEAREST_M), normal)
+        }
         _ => (0.0, -direction.as_vec3()),
     };
     let cos_reference = (-normal.as_dvec3().dot(direction)).max(EDGE_ON);
@@ -133,5 +131,36 @@ fn corrected(
         extent: disc_area(texel_solid_angle_sr(m, column, row), cos_reference) as f32,
         normal: normal.to_array(),
         ..Texel::default()
+    }
+}
+
+/// A captured texel.
+struct Captured {
+    index: usize,
+    direction: DVec3,
+}
+
+/// The captured texel at the middle of one of the M×M texels; of the four around it, where their
+/// number is even, the one of the smallest column and row. A fixed choice: on an edge of the scene
+/// that the middle ray meets exactly, both backends then take the same side.
+fn middle(m: u32, size: u32, face: usize, column: u32, row: u32) -> Captured {
+    let step = size / m;
+    let at = |i: u32| i * step + (step - 1) / 2;
+    let (c, r) = (at(column), at(row));
+    Captured {
+        index: texel_index(size, face, c, r),
+        direction: cube_vector(face, texel_centre(size, c), texel_centre(size, r)).normalize(),
+    }
+}
+
+/// Distance at which the ray along `direction` meets the plane that a neighbouring ray, along
+/// `near`, met at distance `d`; d itself where the plane is almost edge-on to either.
+fn distance_along(direction: DVec3, near: DVec3, d: f32, normal: Vec3) -> f32 {
+    let normal = normal.as_dvec3();
+    let (at_near, at_direction) = (-normal.dot(near), -normal.dot(direction));
+    if at_near < 2.0 * at_direction && at_direction < 2.0 * at_near {
+        (f64::from(d) * (at_near / at_direction)) as f32
+    } else {
+        d
     }
 }

@@ -15,7 +15,7 @@ use interreflect_estimators::Registry;
 ///
 /// # Errors
 /// [`HarnessError`], one line that says what is wrong and what to do.
-pub fn run(cli: Cli, registry: Registry) -> Result<(), HarnessError> {
+pub(crate) fn run(cli: Cli, registry: Registry) -> Result<(), HarnessError> {
     match cli.command {
         Command::List(command) => list::run(&command, registry),
         Command::Bench(command) => bench::run(&command, registry),

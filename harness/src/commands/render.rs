@@ -11,7 +11,7 @@ use crate::stage::{CpuStage, GpuStage};
 use crate::view::View;
 use glam::Vec3;
 use interreflect_estimators::{Configured, Quantity, Registry};
-use interreflect_scene::{Camera, Estimate, Points, Scene};
+use interreflect_scene::{Camera, Estimate, PointLayout, Points, Scene};
 use serde::Serialize;
 use std::f32::consts::FRAC_1_PI;
 use std::path::PathBuf;
@@ -50,6 +50,7 @@ pub(super) fn run(command: &Render, registry: Registry) -> Result<(), HarnessErr
     let camera = resized(scene.scene(), command);
     let view = lab.cpu.install(|| View::new(&scene, &camera));
     let points = view.points(shown.quantity().layout());
+    let materials = view.points(PointLayout::Material);
     let mut gpu_stage = match loaded.gpu {
         Some(gpu) => {
             let (context, scene) = gpu?;
@@ -65,7 +66,7 @@ pub(super) fn run(command: &Render, registry: Registry) -> Result<(), HarnessErr
         };
         let software = stage.as_ref().is_some_and(|s| s.context.info().software);
         let measured = estimate(&lab, stage, &scene, &*method, shown.quantity(), &points)?;
-        let image = shown.image(&view, &measured.estimate);
+        let image = shown.image(&view, &materials, &measured.estimate);
         let stem = format!(
             "{}-{}-{}-{backend}",
             scene.scene().name,
@@ -175,19 +176,18 @@ impl Shown {
         }
     }
 
-    fn image(&self, view: &View, estimate: &Estimate) -> HdrImage {
-        let [width, height] = view.resolution.map(|v| v as usize);
-        let mut image = HdrImage::new(width, height);
-        for (i, (pixel, value)) in image.pixels.iter_mut().zip(estimate.iter()).enumerate() {
-            let reflected = match self {
-                Self::Quantity(_) | Self::Light(Quantity::GlossyRadiance) => Vec3::ONE,
-                Self::Light(_) => view.albedo(i) * FRAC_1_PI,
-            };
-            *pixel = value * reflected * view.throughput[i];
-            if let Self::Light(_) = self {
-                *pixel += view.direct[i];
+    fn image(&self, view: &View, points: &Points, estimate: &Estimate) -> HdrImage {
+        match self {
+            Self::Quantity(_) => view.image(estimate),
+            Self::Light(Quantity::GlossyRadiance) => view.lit(estimate),
+            Self::Light(_) => {
+                let mut reflected = Estimate::new(estimate.len());
+                for (i, point) in points.iter().enumerate() {
+                    let albedo = point.map_or(Vec3::ZERO, |p| p.material.diffuse);
+                    reflected.set(i, estimate.get(i) * albedo * FRAC_1_PI);
+                }
+                view.lit(&reflected)
             }
         }
-        image
     }
 }
