@@ -84,7 +84,8 @@ impl GpuContext {
                 ms
             }
         };
-        let time = match measured {
+        // The work ran within the wall clock's span: a longer time is a clock that can't be trusted.
+        let time = match measured.filter(|&ms| ms <= wall_ms) {
             Some(ms) => GpuTime {
                 ms,
                 source: TimeSource::Timestamp,

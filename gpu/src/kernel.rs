@@ -76,6 +76,10 @@ impl GpuContext {
     /// # Errors
     /// [`GpuError`] if the shader is invalid, has no such entry point, uses a slot that is not
     /// bound, or if a binding is of another kind than the shader declares.
+    ///
+    /// # Loops
+    /// lavapipe, the software driver, ends the loops of an invocation after 65535 turns in all,
+    /// without an error: longer sums are spread over invocations or dispatches.
     pub fn kernel(
         &self,
         shader: &Shader,

@@ -11,6 +11,8 @@ mod errors;
 mod lighting;
 #[path = "device/oracle.rs"]
 mod oracle;
+#[path = "device/times.rs"]
+mod times;
 
 use interreflect_gpu::{GpuContext, GpuError};
 use libtest_mimic::{Arguments, Failed, Trial};
@@ -31,6 +33,7 @@ fn main() {
         capture::CASES,
         lighting::CASES,
         compute::CASES,
+        times::CASES,
         errors::CASES,
     ]
     .concat();

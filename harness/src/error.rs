@@ -1,5 +1,6 @@
 //! What can go wrong, and with which exit code the program ends.
 
+use crate::output::OutputError;
 use interreflect_cpu::scene::CpuError;
 use interreflect_cpu::tiles::CpuCxError;
 use interreflect_estimators::{EstimatorError, UnknownEstimator, Unsupported};
@@ -47,7 +48,7 @@ pub enum HarnessError {
     Metrics(#[from] crate::metrics::MetricsError),
     /// A file can't be read or written.
     #[error(transparent)]
-    Output(#[from] crate::output::OutputError),
+    Output(#[from] OutputError),
     /// The report can't be made.
     #[error(transparent)]
     Report(#[from] crate::report::ReportError),
@@ -64,6 +65,7 @@ impl HarnessError {
             | Self::Unsupported(_)
             | Self::CpuCx(_)
             | Self::Cpu(_)
+            | Self::Output(OutputError::Read { .. })
             | Self::Gpu(GpuError::UnknownAdapter { .. } | GpuError::TooManyLights { .. })
             | Self::Estimator(EstimatorError::Unsupported(_)) => 2,
             _ => 1,

@@ -2,10 +2,11 @@
 
 use crate::error::HarnessError;
 use crate::output::{ErrorMap, Exposure, error_range};
-use crate::output::{write_error_map, write_exr, write_png};
+use crate::output::{write_error_map, write_exr, write_png, write_rgba};
 use crate::record::Run;
 use crate::report::{ImageRow, LabelledImage};
 use crate::view::View;
+use image::{Rgba, RgbaImage, imageops};
 use interreflect_conformance::own_model::ModelValues;
 use interreflect_estimators::Quantity;
 use interreflect_scene::Estimate;
@@ -51,7 +52,7 @@ impl Gallery {
     }
 
     /// Writes every image as EXR and PNG, and every map of signed errors, into a folder for each
-    /// scene and quantity.
+    /// scene and quantity, with an overview of them all.
     ///
     /// # Errors
     /// [`HarnessError`] if a file can't be written.
@@ -79,6 +80,10 @@ impl Gallery {
                 let stem = file_stem(row, picture);
                 write_error_map(&folder.join(format!("{stem}.error.png")), map, range)?;
             }
+            write_rgba(
+                &folder.join("overview.png"),
+                &overview(row, &maps, exposure, range),
+            )?;
         }
         Ok(())
     }
@@ -95,4 +100,28 @@ fn file_stem(row: &ImageRow, picture: &LabelledImage) -> String {
         true => label,
         false => format!("{label}-{}", picture.note),
     }
+}
+
+/// All images of a row side by side, truth first, each estimate above its map of signed errors.
+fn overview(row: &ImageRow, maps: &[ErrorMap], exposure: Exposure, range: f32) -> RgbaImage {
+    const GAP: u32 = 4;
+    let (w, h) = (
+        row.reference.image.width as u32,
+        row.reference.image.height as u32,
+    );
+    let count = 1 + row.estimates.len() as u32;
+    let white = Rgba([255; 4]);
+    let mut sheet = RgbaImage::from_pixel(count * (w + GAP) - GAP, 2 * h + GAP, white);
+    let place = |sheet: &mut RgbaImage, picture: &RgbaImage, column: usize, line: u32| {
+        let (x, y) = (column as u32 * (w + GAP), line * (h + GAP));
+        imageops::replace(sheet, picture, i64::from(x), i64::from(y));
+    };
+    let pictures = std::iter::once(&row.reference).chain(&row.estimates);
+    for (column, picture) in pictures.enumerate() {
+        place(&mut sheet, &picture.image.tone_mapped(exposure), column, 0);
+    }
+    for (i, map) in maps.iter().enumerate() {
+        place(&mut sheet, &map.coloured(range), i + 1, 1);
+    }
+    sheet
 }

@@ -117,7 +117,15 @@ pub fn read_exr(path: &Path) -> Result<HdrImage, OutputError> {
 /// # Errors
 /// [`OutputError`] if the image can't be encoded or the file can't be written.
 pub fn write_png(path: &Path, image: &HdrImage, exposure: Exposure) -> Result<(), OutputError> {
-    write_atomically(path, &encode_png(&image.tone_mapped(exposure), path)?)
+    write_rgba(path, &image.tone_mapped(exposure))
+}
+
+/// Writes an 8-bit image as PNG.
+///
+/// # Errors
+/// [`OutputError`] if the image can't be encoded or the file can't be written.
+pub fn write_rgba(path: &Path, image: &::image::RgbaImage) -> Result<(), OutputError> {
+    write_atomically(path, &encode_png(image, path)?)
 }
 
 /// Writes a map of signed errors as PNG, with a colour bar under it that states the range.
@@ -125,7 +133,7 @@ pub fn write_png(path: &Path, image: &HdrImage, exposure: Exposure) -> Result<()
 /// # Errors
 /// [`OutputError`] if the image can't be encoded or the file can't be written.
 pub fn write_error_map(path: &Path, map: &ErrorMap, range: f32) -> Result<(), OutputError> {
-    write_atomically(path, &encode_png(&map.with_colour_bar(range), path)?)
+    write_rgba(path, &map.with_colour_bar(range))
 }
 
 /// Encodes an 8-bit image as PNG; `path` is the file or picture that an error names.

@@ -63,10 +63,16 @@ impl<'a> References<'a> {
         let at = match self.known.iter().position(|(m, _)| *m == model) {
             Some(at) => at,
             None => {
-                let values = self.cx.install(|| {
-                    let (scene, points) = (self.scene, self.points);
-                    evaluate(model, self.quantity, scene, points, &self.stop, self.seed)
-                });
+                let (cx, scene, points) = (self.cx, self.scene, self.points);
+                let values = evaluate(
+                    cx,
+                    model,
+                    self.quantity,
+                    scene,
+                    points,
+                    &self.stop,
+                    self.seed,
+                );
                 self.known.push((model, values));
                 self.known.len() - 1
             }

@@ -1,6 +1,9 @@
 use interreflect_scene::params::{Field, Params};
 
 /// Parameters of [`super::ClassicEnvmap`].
+///
+/// The ranges keep every loop of a shader invocation below 65,536 turns, all its loops together:
+/// lavapipe ends them there without a word.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClassicEnvmapParams {
     /// Texels along a face's edge that the convolution sums over.
@@ -16,7 +19,7 @@ impl Default for ClassicEnvmapParams {
         Self {
             resolution: 32,
             capture_resolution: 256,
-            map_resolution: 64,
+            map_resolution: 32,
         }
     }
 }
@@ -27,7 +30,7 @@ impl Params for ClassicEnvmapParams {
             Field::u32(
                 "resolution",
                 "texels along a face's edge that the convolution sums over",
-                1..=128,
+                8..=64,
                 |p: &Self| p.resolution,
                 |p, v| p.resolution = v,
             )
@@ -36,7 +39,7 @@ impl Params for ClassicEnvmapParams {
             Field::u32(
                 "capture_resolution",
                 "texels along a face's edge when the environment is captured",
-                1..=2048,
+                1..=1024,
                 |p: &Self| p.capture_resolution,
                 |p, v| p.capture_resolution = v,
             )

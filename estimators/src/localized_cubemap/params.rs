@@ -16,6 +16,9 @@ impl Choice for SolidAngle {
 }
 
 /// Parameters of [`super::LocalizedCubemap`].
+///
+/// The ranges keep the loops of a shader invocation below 65,536 turns together: lavapipe ends them
+/// there without a word.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LocalizedCubemapParams {
     /// M: texels along a face's edge that shading sums over.
@@ -55,7 +58,7 @@ impl Params for LocalizedCubemapParams {
             Field::u32(
                 "capture_resolution",
                 "texels along a face's edge when the environment is captured",
-                1..=2048,
+                1..=1024,
                 |p: &Self| p.capture_resolution,
                 |p, v| p.capture_resolution = v,
             )

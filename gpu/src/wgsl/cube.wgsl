@@ -50,19 +50,3 @@ fn texel_at(size: u32, coordinate: f32) -> u32 {
 fn texel_index(size: u32, face: u32, column: u32, row: u32) -> u32 {
     return (face * size + row) * size + column;
 }
-
-// ∫ of the solid angle from the face's centre to the corner (a, b).
-fn corner_solid_angle_sr(a: f32, b: f32) -> f32 {
-    return atan2(a * b, sqrt(a * a + b * b + 1.0));
-}
-
-// Solid angle in sr of texel (column, row): the difference over its four corners.
-fn texel_solid_angle_sr(size: u32, column: u32, row: u32) -> f32 {
-    let texel = 2.0 / f32(size);
-    let a0 = f32(column) * texel - 1.0;
-    let b0 = f32(row) * texel - 1.0;
-    let a1 = f32(column + 1u) * texel - 1.0;
-    let b1 = f32(row + 1u) * texel - 1.0;
-    return corner_solid_angle_sr(a1, b1) - corner_solid_angle_sr(a0, b1)
-        - corner_solid_angle_sr(a1, b0) + corner_solid_angle_sr(a0, b0);
-}

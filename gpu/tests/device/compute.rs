@@ -2,9 +2,7 @@
 
 use crate::{Case, ensure};
 use glam::{DVec3, Vec3, Vec4};
-use interreflect_gpu::{
-    Binding, GpuContext, GpuError, GpuEstimate, GpuPoints, Shader, TimeSource, wgsl,
-};
+use interreflect_gpu::{Binding, GpuContext, GpuError, GpuEstimate, GpuPoints, Shader, wgsl};
 use interreflect_scene::{
     LANES, Point, PointLayout, Points, SurfaceMaterial, conventions, material,
 };
@@ -28,7 +26,6 @@ pub(crate) const CASES: &[Case] = &[
         "compute::split_orders_writes_and_work",
         split_orders_writes_and_work,
     ),
-    ("compute::times_are_measured", times_are_measured),
     (
         "compute::large_buffers_are_read_in_chunks",
         large_buffers_are_read_in_chunks,
@@ -108,17 +105,16 @@ fn points_arrive_and_estimates_return(context: &Arc<GpuContext>) -> Result<(), F
 fn cube_functions_match_the_host(context: &Arc<GpuContext>) -> Result<(), Failed> {
     const SIZE: u32 = 9;
     let texels = 6 * (SIZE * SIZE) as usize;
-    let out = context.storage_zeroed("out", texels as u64 * 48)?;
+    let out = context.storage_zeroed("out", texels as u64 * 32)?;
     let kernel = context.kernel(&CUBE, "texels", &[Binding::Buffer(&out)])?;
     context.record("texels", |cx| {
         kernel.record(cx, [SIZE, SIZE, 6]);
         Ok::<_, GpuError>(())
     })?;
-    let values: Vec<[Vec4; 3]> = context.read_buffer(&out)?;
+    let values: Vec<[Vec4; 2]> = context.read_buffer(&out)?;
     for face in 0..6 {
         for (row, column) in (0..SIZE).flat_map(|r| (0..SIZE).map(move |c| (r, c))) {
-            let [vector, coordinates, more] =
-                values[conventions::texel_index(SIZE, face, column, row)];
+            let [vector, found] = values[conventions::texel_index(SIZE, face, column, row)];
             let s = conventions::texel_centre(SIZE, column);
             let t = conventions::texel_centre(SIZE, row);
             let expected = conventions::cube_vector(face, s, t);
@@ -126,23 +122,15 @@ fn cube_functions_match_the_host(context: &Arc<GpuContext>) -> Result<(), Failed
                 close(vector.truncate().as_dvec3(), expected, 1e-6),
                 "{vector} instead of {expected}"
             );
-            let omega_sr = conventions::texel_solid_angle_sr(SIZE, column, row);
-            // WGSL's atan2 is good to 4096 roundings; four of at most ½ are subtracted.
-            let error = (f64::from(vector.w) - omega_sr).abs();
-            ensure!(
-                error < 4.0 * 4096.0 * 6e-8 * 0.5,
-                "{} sr instead of {omega_sr}",
-                vector.w
-            );
             let (f, s2, t2) = conventions::cube_coordinates(expected * 3.0);
-            let found = coordinates.truncate().as_dvec3();
+            let coordinates = DVec3::new(f64::from(vector.w), found.x.into(), found.y.into());
             ensure!(
-                close(found, DVec3::new(f as f64, s2, t2), 1e-6),
-                "{found} for {expected}"
+                close(coordinates, DVec3::new(f as f64, s2, t2), 1e-6),
+                "{coordinates} for {expected}"
             );
             ensure!(
-                more.x == column as f32 && more.y == row as f32,
-                "texel_at gives {more}"
+                found.z == column as f32 && found.w == row as f32,
+                "texel_at gives {found}"
             );
         }
     }
@@ -190,35 +178,6 @@ fn split_orders_writes_and_work(context: &Arc<GpuContext>) -> Result<(), Failed>
     })?;
     let result: Vec<u32> = context.read_buffer(&sum)?;
     ensure!(result[0] == 1234, "{result:?}");
-    Ok(())
-}
-
-fn times_are_measured(context: &Arc<GpuContext>) -> Result<(), Failed> {
-    let spin = |count: u32| -> Result<(f64, TimeSource, f64), Failed> {
-        let buffer = context.storage("spin", &[count; 4])?;
-        let bindings = [Binding::None, Binding::None, (&buffer).into()];
-        let kernel = context.kernel(&CUBE, "spin", &bindings)?;
-        let start = std::time::Instant::now();
-        let ((), time) = context.record("spin", |cx| {
-            kernel.record(cx, [64, 1, 1]);
-            cx.split();
-            kernel.record(cx, [64, 1, 1]);
-            Ok::<_, GpuError>(())
-        })?;
-        Ok((time.ms, time.source, start.elapsed().as_secs_f64() * 1e3))
-    };
-    spin(1)?;
-    let (short, source, _) = spin(1)?;
-    let (long, _, wall) = spin(200_000)?;
-    ensure!(short > 0.0 && long > 2.0 * short, "{short} and {long} ms");
-    ensure!(long <= wall, "{long} ms on the GPU in {wall} ms");
-    // The software driver that tests run on has timestamps; elsewhere either clock will do.
-    let timed = source == TimeSource::Timestamp;
-    ensure!(
-        timed || !context.info().software,
-        "{source} on {:?}",
-        context.info()
-    );
     Ok(())
 }
 

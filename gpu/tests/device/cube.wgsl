@@ -1,10 +1,9 @@
 struct TexelFacts {
-    // Vector and solid angle.
-    vector: vec4f,
-    // Face, s and t of a multiple of the vector.
-    coordinates: vec4f,
-    // Column and row found again.
-    found: vec4f,
+    vector: vec3f,
+    // Of a multiple of the vector: face, (s, t), column and row.
+    face: f32,
+    st: vec2f,
+    texel: vec2f,
 }
 
 override factor: f32 = 1.0;
@@ -22,9 +21,10 @@ fn texels(@builtin(workgroup_id) texel: vec3u, @builtin(num_workgroups) counts: 
     let vector = cube_vector(texel.z, s, t);
     let c = cube_coordinates(vector * 3.0);
     facts[texel_index(size, texel.z, texel.x, texel.y)] = TexelFacts(
-        vec4f(vector, texel_solid_angle_sr(size, texel.x, texel.y)),
-        vec4f(f32(c.face), c.s, c.t, 0.0),
-        vec4f(f32(texel_at(size, c.s)), f32(texel_at(size, c.t)), 0.0, 0.0),
+        vector,
+        f32(c.face),
+        vec2f(c.s, c.t),
+        vec2f(f32(texel_at(size, c.s)), f32(texel_at(size, c.t))),
     );
 }
 
@@ -41,14 +41,4 @@ fn constant() {
 @compute @workgroup_size(1)
 fn append() {
     counters[0] = 10u * counters[0] + step.x;
-}
-
-// Work that takes a time proportional to counters[0].
-@compute @workgroup_size(1)
-fn spin() {
-    var x = counters[1];
-    for (var i = 0u; i < counters[0]; i += 1u) {
-        x = x * 1664525u + 1013904223u;
-    }
-    counters[2] = x;
 }

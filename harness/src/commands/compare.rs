@@ -40,7 +40,8 @@ pub(super) fn run(command: &Compare) -> Result<(), HarnessError> {
             description: &command.reference.to_string_lossy(),
         },
         None,
-    )?;
+    )
+    .map_err(|e| HarnessError::Usage(e.to_string()))?;
     if let Some(folder) = &command.out {
         if let Some(map) = ErrorMap::new(&estimate, &reference, |_| true) {
             write_error_map(&folder.join("error.png"), &map, error_range([&map]))?;
@@ -64,16 +65,20 @@ pub(super) fn run(command: &Compare) -> Result<(), HarnessError> {
 
 /// An EXR as it is, an HDR through the scene's loader.
 fn read(path: &Path) -> Result<HdrImage, HarnessError> {
-    if path
-        .extension()
-        .is_some_and(|e| e.eq_ignore_ascii_case("exr"))
-    {
-        return Ok(read_exr(path)?);
+    let ending = path.extension().and_then(|e| e.to_str()).unwrap_or("");
+    match ending.to_ascii_lowercase().as_str() {
+        "exr" => Ok(read_exr(path)?),
+        "hdr" => {
+            let image = open_image(path)?;
+            Ok(HdrImage {
+                width: image.width as usize,
+                height: image.height as usize,
+                pixels: image.texels,
+            })
+        }
+        _ => Err(HarnessError::Usage(format!(
+            "{}: no .exr or .hdr image by its name; compare linear images",
+            path.display()
+        ))),
     }
-    let image = open_image(path)?;
-    Ok(HdrImage {
-        width: image.width as usize,
-        height: image.height as usize,
-        pixels: image.texels,
-    })
 }

@@ -28,6 +28,7 @@ struct Rendered {
     quantity: &'static str,
     shown: &'static str,
     resolution: [u32; 2],
+    points: usize,
     phases_ms: Phases,
     exr: PathBuf,
     png: PathBuf,
@@ -67,8 +68,12 @@ pub(super) fn run(command: &Render, registry: Registry) -> Result<(), HarnessErr
         let software = stage.as_ref().is_some_and(|s| s.context.info().software);
         let measured = estimate(&lab, stage, &scene, &*method, shown.quantity(), &points)?;
         let image = shown.image(&view, &materials, &measured.estimate);
+        let fidelity = method
+            .fidelity()
+            .map(|f| format!("-{f}"))
+            .unwrap_or_default();
         let stem = format!(
-            "{}-{}-{}-{backend}",
+            "{}-{}{fidelity}-{}-{backend}",
             scene.scene().name,
             method.info().id,
             shown.name()
@@ -88,6 +93,7 @@ pub(super) fn run(command: &Render, registry: Registry) -> Result<(), HarnessErr
             quantity: shown.quantity().name(),
             shown: shown.name(),
             resolution: camera.resolution,
+            points: points.len(),
             phases_ms: measured.phases,
             exr,
             png,

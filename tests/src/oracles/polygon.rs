@@ -8,10 +8,20 @@ use glam::DVec3;
 /// `corners` are relative to the point. Positive when they run clockwise seen from the point. No
 /// edge through the point itself gives a contribution.
 pub fn polygon_irradiance(n: DVec3, corners: &[DVec3]) -> f64 {
-    let above = clipped(n, corners);
-    let count = above.len();
-    let sum: f64 = (0..count)
-        .map(|i| edge(above[i], above[(i + 1) % count]).dot(n))
+    if corners.iter().all(|c| n.dot(*c) >= 0.0) {
+        around(n, corners)
+    } else {
+        around(n, &clipped(n, corners))
+    }
+}
+
+/// ½·Σ Γ_i·n of a polygon that is wholly above the horizon.
+fn around(n: DVec3, corners: &[DVec3]) -> f64 {
+    let next = corners.iter().cycle().skip(1);
+    let sum: f64 = corners
+        .iter()
+        .zip(next)
+        .map(|(&a, &b)| edge(a, b).dot(n))
         .sum();
     0.5 * sum
 }

@@ -1,0 +1,77 @@
+//! What a method claims to compute, evaluated by a deterministic integral.
+//!
+//! The surroundings of the reference point are captured in small patches, each a planar quad at
+//! its surface's place or a bundle of directions at infinity, and merged four by four into a
+//! [`hierarchy`]. Every point gathers from all of them: far nodes by the point kernel, near ones
+//! by the exact polygon kernel ([`gather`]).
+
+mod gather;
+mod hierarchy;
+mod near;
+#[cfg(test)]
+mod tests;
+
+use gather::Gather;
+use hierarchy::Hierarchy;
+use interreflect_cpu::path_tracer::{Stop, trace};
+use interreflect_cpu::scene::CpuScene;
+use interreflect_cpu::tiles::CpuCx;
+use interreflect_estimators::path_reference::path_quantity;
+use interreflect_estimators::{OwnModel, Quantity};
+use interreflect_scene::{Estimate, Points};
+
+/// A model's value at each point, with how far it may be off.
+pub struct ModelValues {
+    /// The values.
+    pub values: Estimate,
+    /// For each value: the standard error of a path-traced model, or the change from an integral
+    /// over patches and nodes of twice the size, which bounds the error left in the finer one.
+    pub error: Estimate,
+    /// One line on how they were computed.
+    pub description: String,
+}
+
+/// Texels along the edge of the finer of the two patch captures: 3·2ᵏ, to be halved.
+pub const PATCH_RESOLUTION: u32 = 192;
+
+/// Squared distance over squared radius from which a node counts as a point. What is left is the
+/// bend of the integrand over a node, above all where the horizon cuts it: about 1e-4 of the sum.
+const FAR: f32 = 1024.0;
+
+/// Evaluates `model` for `quantity` at every point. `stop` and `seed` are for path-traced models.
+pub fn evaluate(
+    cx: &CpuCx,
+    model: OwnModel,
+    quantity: Quantity,
+    scene: &CpuScene,
+    points: &Points,
+    stop: &Stop,
+    seed: u64,
+) -> ModelValues {
+    if let OwnModel::LightTransport(paths) = model {
+        let quantity = path_quantity(quantity);
+        let traced = cx.install(|| trace(scene, points, quantity, &paths, stop, seed, &|_| {}));
+        return ModelValues {
+            values: traced.mean,
+            error: traced.standard_error,
+            description: format!("path tracing, {} samples", traced.samples),
+        };
+    }
+    let integral = |size, far| {
+        let hierarchy = cx.install(|| Hierarchy::new(model, scene, size));
+        let mut values = Estimate::new(points.len());
+        cx.for_each_tile(points, &mut values, &Gather::new(&hierarchy, quantity, far));
+        values
+    };
+    let values = integral(PATCH_RESOLUTION, FAR);
+    let coarse = integral(PATCH_RESOLUTION / 2, FAR / 4.0);
+    let mut error = Estimate::new(points.len());
+    for i in 0..points.len() {
+        error.set(i, (values.get(i) - coarse.get(i)).abs());
+    }
+    ModelValues {
+        values,
+        error,
+        description: format!("integral over 6×{PATCH_RESOLUTION}² patches"),
+    }
+}

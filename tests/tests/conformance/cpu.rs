@@ -1,0 +1,90 @@
+//! Results on the CPU have the same bits for any number of threads, any instruction set and any
+//! order of the points.
+
+use crate::ensure;
+use crate::subjects::{SUBJECTS, Subject};
+use crate::world::{Outcome, Variant, gpu_stage, on_gpu, run, variants};
+use interreflect::stage::{CpuStage, Stage};
+use interreflect_cpu::tiles::{CpuCx, InstructionSet};
+use interreflect_estimators::Registry;
+use interreflect_scene::params::Choice;
+use interreflect_scene::{Estimate, Point, Points};
+use libtest_mimic::Trial;
+
+pub(crate) fn trials() -> Vec<Trial> {
+    let mut trials = Vec::new();
+    for variant in variants() {
+        for subject in &SUBJECTS[2..4] {
+            let name = format!("bits/{}/{}", subject.name, variant.name());
+            let one = variant.copy();
+            trials.push(Trial::test(format!("{name}/cpu"), move || {
+                threads_and_instructions(subject, &one)
+            }));
+            let registry = Registry::builtin();
+            let entry = registry.get(variant.method.info().id);
+            if entry.is_ok_and(|e| !e.shaders().is_empty()) {
+                let one = variant.copy();
+                trials.push(on_gpu(format!("{name}/gpu"), move |context| {
+                    any_order(&gpu_stage(context, subject)?, subject, &one)
+                }));
+            }
+        }
+    }
+    trials
+}
+
+fn threads_and_instructions(subject: &'static Subject, variant: &Variant) -> Outcome {
+    let points = subject.points(variant.quantity.layout());
+    let mut first: Option<Estimate> = None;
+    for (set_name, set) in InstructionSet::ALL {
+        for threads in [1, 2] {
+            if !set.available() {
+                println!("not run: this processor has no {set_name}");
+                continue;
+            }
+            let cx = CpuCx::new(Some(threads), Some(*set))?;
+            let stage = CpuStage {
+                cx: &cx,
+                scene: subject.cpu.clone(),
+            };
+            let estimate = run(&stage, subject, variant, &points)?;
+            let first = first.get_or_insert_with(|| estimate.clone());
+            same_bits(first, estimate.iter())
+                .map_err(|e| format!("{threads} threads, {set_name}: {e}"))?;
+        }
+    }
+    let cx = CpuCx::new(Some(2), None)?;
+    let stage = CpuStage {
+        cx: &cx,
+        scene: subject.cpu.clone(),
+    };
+    let needs = variant
+        .method
+        .needs(variant.quantity, &subject.cpu.scene().facts())?;
+    // Samples of light transport are drawn by a point's place in the list.
+    match needs.light_transport {
+        true => Ok(()),
+        false => any_order(&stage, subject, variant),
+    }
+}
+
+/// Reversed points get the same values, reversed.
+fn any_order<S: Stage>(stage: &S, subject: &Subject, variant: &Variant) -> Outcome {
+    let points = subject.points(variant.quantity.layout());
+    let mut reversed: Vec<Option<Point>> = points.iter().collect();
+    reversed.reverse();
+    let reversed = Points::new(points.layout(), reversed);
+    let forward = run(stage, subject, variant, &points)?;
+    let backward = run(stage, subject, variant, &reversed)?;
+    let mut backward: Vec<_> = backward.iter().collect();
+    backward.reverse();
+    Ok(same_bits(&forward, backward.into_iter()).map_err(|e| format!("points reversed: {e}"))?)
+}
+
+fn same_bits(a: &Estimate, b: impl Iterator<Item = glam::Vec3>) -> Result<(), String> {
+    for (i, (a, b)) in a.iter().zip(b).enumerate() {
+        let bits = |v: glam::Vec3| v.to_array().map(f32::to_bits);
+        ensure!(bits(a) == bits(b), "point {i} has {a} and {b}");
+    }
+    Ok(())
+}

@@ -1,0 +1,106 @@
+//! What a method declares is what it reads.
+
+use crate::ensure;
+use crate::subjects::{SUBJECTS, Subject};
+use crate::world::{Outcome, Variant, cpu_stage, gpu_stage, ignored, on_gpu, variants};
+use interreflect::measure::measure;
+use interreflect::stage::{Placed, Stage};
+use interreflect_estimators::{Backend, Captures, Changed, EstimatorError, Inputs};
+use interreflect_scene::{CubeChannels, CubeSpec, Needs};
+use libtest_mimic::{Failed, Trial};
+
+pub(crate) fn trials() -> Vec<Trial> {
+    let mut trials = Vec::new();
+    for variant in variants() {
+        for subject in &SUBJECTS {
+            let name = format!("needs/{}/{}", subject.name, variant.name());
+            let one = variant.copy();
+            trials.push(Trial::test(format!("{name}/cpu"), move || {
+                all_read(&cpu_stage(subject), subject, &one)?;
+                nothing_else(&cpu_stage(subject), subject, &one)
+            }));
+            let (name, one) = (format!("{name}/gpu"), variant.copy());
+            trials.push(on_gpu_or_why_not(name, subject, one));
+        }
+    }
+    trials
+}
+
+/// A method without an implementation on the device says why, and never anything else.
+fn on_gpu_or_why_not(name: String, subject: &'static Subject, variant: Variant) -> Trial {
+    let shaderless = interreflect_estimators::Registry::builtin()
+        .get(variant.method.info().id)
+        .is_ok_and(|entry| entry.shaders().is_empty());
+    if shaderless {
+        return ignored(name, "runs on the CPU only");
+    }
+    on_gpu(name, move |context| {
+        all_read(&gpu_stage(context, subject)?, subject, &variant)
+    })
+}
+
+/// The harness's own account: nothing is declared and not read, on any backend, and what is not
+/// in the scene is not asked for.
+fn all_read<S: Stage>(stage: &S, subject: &Subject, variant: &Variant) -> Outcome {
+    let points = subject.points(variant.quantity.layout());
+    let scene = subject.cpu.scene();
+    let measured = measure(stage, scene, &*variant.method, variant.quantity, &points, 0)?;
+    let unread = measured.unread;
+    ensure!(
+        unread == Needs::default(),
+        "declared and never read: {unread:?}"
+    );
+    let needs = variant.method.needs(variant.quantity, &scene.facts())?;
+    for spec in &needs.cubes {
+        let place = spec.channels.distance || spec.channels.normal;
+        ensure!(
+            scene.facts().surfaces || !place,
+            "asks for the place of surfaces, where there are none: {spec:?}"
+        );
+    }
+    Ok(())
+}
+
+/// Captures that exist but were not declared can't be read.
+fn nothing_else<S: Stage>(stage: &S, subject: &Subject, variant: &Variant) -> Outcome {
+    let scene = subject.cpu.scene();
+    let facts = scene.facts();
+    let declared = variant.method.needs(variant.quantity, &facts)?;
+    let points = subject.points(variant.quantity.layout());
+    let Placed { points: placed, .. } = stage.place(&points)?;
+    let mut more = declared.clone();
+    more.light_transport = true;
+    let spec = |size, normal| CubeSpec {
+        size,
+        channels: CubeChannels {
+            radiance: true,
+            normal,
+            ..CubeChannels::default()
+        },
+    };
+    let others = [spec(3, false), spec(3, true)];
+    more.cubes.extend(others);
+    let captures: Captures<S::Backend> = stage.capture(&more)?.0;
+    let origin = (facts, scene.reference_point);
+    let inputs = Inputs::new(&declared, &captures, &placed, &points, origin, Changed::ALL);
+    for spec in others {
+        refused::<S::Backend, _>(inputs.cube(&spec))?;
+    }
+    if !declared.light_transport {
+        refused::<S::Backend, _>(inputs.light_transport())?;
+    }
+    ensure!(
+        inputs.read() == Needs::default(),
+        "a refused capture counts as read: {:?}",
+        inputs.read()
+    );
+    Ok(())
+}
+
+fn refused<B: Backend, T>(read: Result<T, EstimatorError>) -> Result<(), Failed> {
+    match read {
+        Err(EstimatorError::Undeclared(_)) => Ok(()),
+        Err(other) => Err(format!("refused with another reason: {other}").into()),
+        Ok(_) => Err("an undeclared capture was read".into()),
+    }
+}

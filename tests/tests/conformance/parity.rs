@@ -1,0 +1,177 @@
+//! The two backends against each other: fed the same captures, then each its own.
+
+use crate::ensure;
+use crate::subjects::{SUBJECTS, Subject};
+use crate::world::{
+    Outcome, Variant, captures, cpu_stage, estimate, gpu_stage, ignored, on_gpu, variants,
+};
+use interreflect_conformance::tolerance::Tolerance;
+use interreflect_estimators::{Captures, Cpu, Gpu, Registry};
+use interreflect_gpu::{GpuContext, GpuCube};
+use interreflect_scene::conventions::{CUBE_FACES, texel_index, texel_solid_angle_sr};
+use interreflect_scene::{CubeImage, Estimate};
+use libtest_mimic::{Failed, Trial};
+use std::sync::Arc;
+
+pub(crate) fn trials() -> Vec<Trial> {
+    let mut trials = Vec::new();
+    let registry = Registry::builtin();
+    for variant in variants() {
+        let entry = registry.get(variant.method.info().id);
+        let on_both = entry.is_ok_and(|e| !e.shaders().is_empty());
+        for subject in &SUBJECTS {
+            let name = format!("parity/{}/{}", subject.name, variant.name());
+            if !on_both {
+                trials.push(ignored(name, "runs on the CPU only"));
+                continue;
+            }
+            let variant = variant.copy();
+            trials.push(on_gpu(name, move |context| {
+                parity(context, subject, &variant)
+            }));
+        }
+    }
+    trials
+}
+
+/// Half a unit in the last place of an f32 of 1.
+const ROUNDING: f64 = 5.96e-8;
+
+/// Both backends sum in f32, in orders of their own and with or without fused operations, over at
+/// most all captured texels. Rounding errors of N terms add up like a random walk: √N, four times
+/// that for the worst of some thousand values. Their scale is the largest value, not the point's
+/// own: where most texels are just below the horizon, what is left of the sum keeps their error.
+fn float32(texels: usize, largest: f64) -> Tolerance {
+    let walk = 4.0 * (texels as f64).sqrt() * ROUNDING;
+    Tolerance {
+        absolute: walk * largest,
+        // The stated error of the lobe's power.
+        relative: 1e-5 + walk,
+        cause: "float32 sums over the captured texels, and the power of the lobe",
+    }
+}
+
+fn parity(context: &Arc<GpuContext>, subject: &'static Subject, variant: &Variant) -> Outcome {
+    let (cpu, gpu) = (cpu_stage(subject), gpu_stage(context, subject)?);
+    let points = subject.points(variant.quantity.layout());
+    let by_cpu = captures(&cpu, subject, variant)?;
+    let by_gpu = captures(&gpu, subject, variant)?;
+    let uploaded = upload(context, &by_cpu)?;
+    let downloaded = download(context, &by_gpu)?;
+
+    let on_cpu = estimate(&cpu, subject, variant, &by_cpu, &points)?;
+    let on_gpu = estimate(&gpu, subject, variant, &by_gpu, &points)?;
+    let same = float32(texels(&by_cpu), largest(&on_cpu));
+    let of_cpu_captures = estimate(&gpu, subject, variant, &uploaded, &points)?;
+    check(&same, &on_cpu, &of_cpu_captures).map_err(|e| format!("on the CPU's captures: {e}"))?;
+    let of_gpu_captures = estimate(&cpu, subject, variant, &downloaded, &points)?;
+    check(&same, &of_gpu_captures, &on_gpu).map_err(|e| format!("on the GPU's captures: {e}"))?;
+
+    let apart = captures_apart(&by_cpu, &downloaded)?;
+    let own = Tolerance {
+        absolute: same.absolute + apart,
+        cause: "captures that differ along edges of surfaces and shadows",
+        ..same
+    };
+    Ok(check(&own, &on_cpu, &on_gpu).map_err(|e| format!("each on its own captures: {e}"))?)
+}
+
+fn check(tolerance: &Tolerance, a: &Estimate, b: &Estimate) -> Result<(), String> {
+    let values =
+        |e: &Estimate| -> Vec<f64> { e.iter().flat_map(|v| v.to_array()).map(f64::from).collect() };
+    tolerance.check_all(values(a).into_iter(), values(b).into_iter())
+}
+
+fn largest(estimate: &Estimate) -> f64 {
+    let largest = estimate.iter().fold(0.0_f32, |m, v| m.max(v.max_element()));
+    f64::from(largest)
+}
+
+fn texels(captures: &Captures<Cpu>) -> usize {
+    captures.cubes.values().map(CubeImage::texels).sum()
+}
+
+fn upload(context: &GpuContext, from: &Captures<Cpu>) -> Result<Captures<Gpu>, Failed> {
+    let mut captures = Captures::default();
+    for (spec, cube) in &from.cubes {
+        let cube = GpuCube::upload(context, cube)?;
+        ensure!(
+            cube.spec() == *spec,
+            "uploaded {spec:?} became {:?}",
+            cube.spec()
+        );
+        captures.cubes.insert(*spec, cube);
+    }
+    Ok(captures)
+}
+
+fn download(context: &GpuContext, from: &Captures<Gpu>) -> Result<Captures<Cpu>, Failed> {
+    let mut captures = Captures::default();
+    for (spec, cube) in &from.cubes {
+        captures.cubes.insert(*spec, cube.download(context)?);
+    }
+    Ok(captures)
+}
+
+/// A texel at half the distance from the point as from the reference point counts four times.
+const NEARER: f64 = 4.0;
+
+/// Most of the sphere, in sr, that two captures may see differently: a row of texels along the
+/// edges, and shadows' borders of some texels of the shadow map.
+const SEEN_DIFFERENTLY_SR: f64 = 0.03;
+
+/// Bound on what the captures' differences do to an irradiance: all radiance that is new, gone or
+/// from elsewhere, as if it arrived head-on from texels at half the distance.
+fn captures_apart(a: &Captures<Cpu>, b: &Captures<Cpu>) -> Result<f64, Failed> {
+    let mut bound = 0.0;
+    for (spec, a) in &a.cubes {
+        let b = b.cubes.get(spec).ok_or("a capture of one backend only")?;
+        let brightest = a
+            .radiance
+            .iter()
+            .fold(0.0_f32, |m, v| m.max(v.max_element()));
+        let (mut flux, mut differently_sr) = (0.0, 0.0);
+        for (index, omega_sr) in solid_angles(a.size) {
+            let radiance = (a.radiance[index] - b.radiance[index]).abs().max_element();
+            let moved = moved(a, b, index);
+            flux += omega_sr * f64::from(radiance + brightest * moved);
+            if radiance > 1e-2 * brightest || moved > 1e-2 {
+                differently_sr += omega_sr;
+            }
+        }
+        ensure!(
+            differently_sr < SEEN_DIFFERENTLY_SR,
+            "captures of {spec:?} differ over {differently_sr:.4} sr"
+        );
+        bound += NEARER * flux;
+    }
+    Ok(bound)
+}
+
+/// How far a texel's surface is from the other capture's, relative to its distance, or how much it
+/// is turned; at most 1.
+fn moved(a: &CubeImage, b: &CubeImage, index: usize) -> f32 {
+    let distance = match (a.distance.get(index), b.distance.get(index)) {
+        (Some(a), Some(b)) if a.is_finite() && b.is_finite() => (a - b).abs() / a.min(*b),
+        (Some(a), Some(b)) if a.is_finite() != b.is_finite() => 1.0,
+        _ => 0.0,
+    };
+    let turned = match (a.normal.get(index), b.normal.get(index)) {
+        (Some(a), Some(b)) => a.distance(*b),
+        _ => 0.0,
+    };
+    (2.0 * distance).max(turned).min(1.0)
+}
+
+fn solid_angles(size: u32) -> impl Iterator<Item = (usize, f64)> {
+    let face: Vec<f64> = (0..size * size)
+        .map(|i| texel_solid_angle_sr(size, i % size, i / size))
+        .collect();
+    (0..CUBE_FACES).flat_map(move |f| {
+        let first = texel_index(size, f, 0, 0);
+        face.clone()
+            .into_iter()
+            .enumerate()
+            .map(move |(i, omega_sr)| (first + i, omega_sr))
+    })
+}

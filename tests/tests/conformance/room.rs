@@ -1,0 +1,238 @@
+//! The public point set: what each method gives in float64 in the box of ../shared/points.
+
+use crate::ensure;
+use crate::room_ties::{self, Corrected};
+use crate::subjects::{ROOM_ORIGIN, Subject, shared_points};
+use crate::world::{Outcome, Variant, cpu_stage, gpu_stage, ignored, on_gpu, run};
+use glam::{DVec3, Vec3};
+use interreflect::stage::Stage;
+use interreflect_conformance::tolerance::Tolerance;
+use interreflect_estimators::{Quantity, Registry};
+use interreflect_scene::{Point, PointLayout, Points, SceneRequest, open};
+use libtest_mimic::{Failed, Trial};
+use std::collections::BTreeMap;
+use std::f64::consts::PI;
+use std::sync::{Arc, LazyLock};
+
+/// The point set.
+pub(crate) struct Room {
+    pub(crate) points: Points,
+    groups: Vec<String>,
+    columns: BTreeMap<String, Vec<f64>>,
+    readme: String,
+    subject: Subject,
+}
+
+/// The point set, if it is there.
+pub(crate) static ROOM: LazyLock<Option<Room>> = LazyLock::new(|| {
+    let folder = shared_points()?;
+    Some(Room::open(&folder).expect("a readable point set"))
+});
+
+impl Room {
+    fn open(folder: &std::path::Path) -> Result<Self, Failed> {
+        let mut reader = csv::Reader::from_path(folder.join("room.csv"))?;
+        let header = reader.headers()?.clone();
+        let mut columns: BTreeMap<String, Vec<f64>> = BTreeMap::new();
+        let mut groups = Vec::new();
+        for record in reader.records() {
+            for (name, value) in header.iter().zip(&record?) {
+                match name {
+                    "group" => groups.push(value.to_owned()),
+                    _ => columns.entry(name.into()).or_default().push(value.parse()?),
+                }
+            }
+        }
+        let at = |names: [&str; 3], i: usize| Vec3::from(names.map(|n| columns[n][i] as f32));
+        let points = (0..groups.len()).map(|i| {
+            Some(Point {
+                position: at(["x", "y", "z"], i),
+                normal: at(["nx", "ny", "nz"], i).normalize(),
+                ..Point::default()
+            })
+        });
+        let points = Points::new(PointLayout::Surface, points);
+        let scene = open(&SceneRequest {
+            reference_point: Some(ROOM_ORIGIN),
+            ..SceneRequest::new(folder.join("room.obj").to_string_lossy())
+        })?;
+        Ok(Self {
+            points,
+            groups,
+            columns,
+            readme: std::fs::read_to_string(folder.join("README.md"))?,
+            subject: Subject::new("room", &scene, Vec::new()),
+        })
+    }
+
+    /// A column by its name.
+    pub(crate) fn column(&self, name: &str) -> Result<&[f64], Failed> {
+        let found = self.columns.get(name).map(Vec::as_slice);
+        Ok(found.ok_or_else(|| format!("no column {name}"))?)
+    }
+
+    /// Positions and normals in float64.
+    pub(crate) fn places(&self) -> Vec<(DVec3, DVec3)> {
+        let at = |names: [&str; 3], i: usize| DVec3::from(names.map(|n| self.columns[n][i]));
+        (0..self.groups.len())
+            .map(|i| (at(["x", "y", "z"], i), at(["nx", "ny", "nz"], i)))
+            .collect()
+    }
+}
+
+pub(crate) fn trials() -> Vec<Trial> {
+    let Some(room) = ROOM.as_ref() else {
+        return vec![ignored("room".into(), "../shared/points is not there")];
+    };
+    let mut cases = vec![Case::new("classic", "classic_envmap", &[])];
+    for m in ["2", "4", "8", "16"] {
+        for (column, settings) in [
+            (
+                "p1_text",
+                [("fidelity", "published"), ("solid_angle", "text")],
+            ),
+            (
+                "p1_shader",
+                [("fidelity", "published"), ("solid_angle", "shader")],
+            ),
+            (
+                "p1_corrected",
+                [("fidelity", "corrected"), ("solid_angle", "text")],
+            ),
+        ] {
+            let settings = [settings[0], settings[1], ("resolution", m)];
+            cases.push(Case::new(
+                &format!("{column}_M{m}"),
+                "localized_cubemap",
+                &settings,
+            ));
+        }
+    }
+    let mut trials = Vec::new();
+    for case in cases {
+        let (name, case) = (format!("room/{}", case.column), Arc::new(case));
+        let one = case.clone();
+        trials.push(Trial::test(format!("{name}/cpu"), move || {
+            one.check(room, &cpu_stage(&room.subject))
+        }));
+        trials.push(on_gpu(format!("{name}/gpu"), move |context| {
+            case.check(room, &gpu_stage(context, &room.subject)?)
+        }));
+    }
+    trials
+}
+
+struct Case {
+    column: String,
+    variant: Variant,
+}
+
+impl Case {
+    fn new(column: &str, id: &str, settings: &[(&str, &str)]) -> Self {
+        let registry = Registry::builtin();
+        let mut method = registry.get(id).expect("a registered method").configure();
+        for (name, value) in settings {
+            method.set(name, value).expect("a parameter of the method");
+        }
+        Self {
+            column: column.into(),
+            variant: Variant {
+                method,
+                quantity: Quantity::Irradiance,
+            },
+        }
+    }
+
+    fn check<S: Stage>(&self, room: &Room, stage: &S) -> Outcome {
+        let estimate = run(stage, &room.subject, &self.variant, &room.points)?;
+        let values: Vec<f64> = estimate.iter().map(|v| f64::from(v.x)).collect();
+        let expected = room.column(&self.column)?;
+        let ties = self.ties(room);
+        for (i, (value, expected)) in values.iter().zip(expected).enumerate() {
+            let mut tolerance = self.tolerance();
+            if let Some(ties) = &ties {
+                tolerance.absolute += ties.spread(i);
+            }
+            tolerance
+                .check(*value, *expected)
+                .map_err(|e| format!("point {i} of group {}: {e}", room.groups[i]))?;
+        }
+        match &ties {
+            Some(ties) => self.check_means(room, &values, ties),
+            None => Ok(()),
+        }
+    }
+
+    /// The texels whose centre rays meet an edge of the room, where `corrected` looks at one wall.
+    fn ties(&self, room: &Room) -> Option<Corrected> {
+        let m = self.column.strip_prefix("p1_corrected_M")?.parse().ok()?;
+        Some(room_ties::corrected(m, &room.places()))
+    }
+
+    fn tolerance(&self) -> Tolerance {
+        match self.column.as_str() {
+            // Cells of a face of the map span h = 1/16 rad at most, a bilinear lookup errs by h²/8
+            // times the second derivative in each of two directions, and that is at most E.
+            "classic" => Tolerance {
+                absolute: 2.0 / (8.0 * 16.0 * 16.0) * PI,
+                relative: 0.0,
+                cause: "the bilinear lookup in a map of 32 cells along a face's edge",
+            },
+            _ => Tolerance {
+                absolute: 1e-4 * PI,
+                relative: 0.0,
+                cause: "float32 sums, and some captured texels on the room's edges, 6e-5 sr each, \
+                        where rays, rasteriser and reference see either wall",
+            },
+        }
+    }
+
+    /// Mean relative error over each group against the table of the README: a tenth of the value,
+    /// half a unit of its last digit, and what ties between walls make of it.
+    fn check_means(&self, room: &Room, values: &[f64], ties: &Corrected) -> Outcome {
+        let exact = room.column("E_exact")?;
+        let Some(means) = table(&room.readme, &self.column) else {
+            return Ok(());
+        };
+        let mut groups: Vec<&String> = room.groups.iter().collect();
+        groups.dedup();
+        ensure!(
+            groups.len() == means.len(),
+            "groups {groups:?} and {means:?}"
+        );
+        for (group, (mean, half_digit)) in groups.into_iter().zip(means) {
+            let of_group = |value: &dyn Fn(usize) -> f64| {
+                let members = || (0..values.len()).filter(|&i| room.groups[i] == *group);
+                100.0 * members().map(value).sum::<f64>() / members().count() as f64
+            };
+            let ours = of_group(&|i| (values[i] / exact[i] - 1.0).abs());
+            let bound = 0.1 * mean + half_digit + of_group(&|i| ties.spread(i) / exact[i]);
+            ensure!(
+                (ours - mean).abs() <= bound,
+                "group {group}: mean error {ours:.3} % for {mean} %"
+            );
+        }
+        Ok(())
+    }
+}
+
+/// The means of a column, in %, with half a unit of their last digit; `None` if the table of the
+/// README has no such column.
+fn table(readme: &str, column: &str) -> Option<Vec<(f64, f64)>> {
+    let (method, m) = column.split_once("_M")?;
+    let row = readme
+        .lines()
+        .find(|l| l.starts_with(&format!("| {method} ")))?;
+    let mut cells = row.trim_matches('|').split('|').map(str::trim);
+    let place = cells
+        .next()?
+        .split([' ', '/'])
+        .filter(|w| w.starts_with('M'));
+    let place = place.into_iter().position(|w| w[1..] == *m)?;
+    let value = |cell: &str| {
+        let text = cell.split('/').nth(place)?.trim();
+        let decimals = text.split_once('.').map_or(0, |(_, d)| d.len());
+        Some((text.parse().ok()?, 0.5 * 0.1_f64.powi(decimals as i32)))
+    };
+    cells.map(value).collect()
+}

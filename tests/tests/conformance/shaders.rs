@@ -1,0 +1,25 @@
+//! Every shader is valid. No device is needed.
+
+use crate::ensure;
+use interreflect_estimators::Registry;
+use interreflect_gpu::{Shader, validate};
+use libtest_mimic::Trial;
+
+pub(crate) fn trials() -> Vec<Trial> {
+    let own = interreflect_gpu::shaders();
+    let registry = Registry::builtin();
+    let of_methods = registry.entries().iter().flat_map(|e| e.shaders());
+    own.iter().chain(of_methods).map(|s| valid(*s)).collect()
+}
+
+fn valid(shader: Shader) -> Trial {
+    let name = format!("shaders/{}", shader.label);
+    Trial::test(name, move || {
+        let parts = shader.parts.iter().all(|p| p.ends_with('\n'));
+        ensure!(
+            parts,
+            "a part does not end with a newline: lines in messages would be off"
+        );
+        Ok(validate(&shader)?)
+    })
+}

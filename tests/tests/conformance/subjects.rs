@@ -1,0 +1,162 @@
+//! The scenes that trials run on, each with points.
+
+use glam::{DVec3, Vec3};
+use interreflect::view::View;
+use interreflect_cpu::scene::CpuScene;
+use interreflect_scene::conventions::{CUBE_FACES, cube_frame};
+use interreflect_scene::{
+    Camera, Environment, LatLongImage, Material, Mesh, Object, Point, PointLayout, Points, Role,
+    Scene, SceneRequest, SurfaceMaterial,
+};
+use std::path::PathBuf;
+use std::sync::{Arc, LazyLock};
+
+/// A scene with points.
+pub(crate) struct Subject {
+    pub(crate) name: &'static str,
+    pub(crate) cpu: Arc<CpuScene>,
+    points: Vec<Option<Point>>,
+}
+
+impl Subject {
+    /// A scene that the CPU takes, with points.
+    pub(crate) fn new(name: &'static str, scene: &Scene, points: Vec<Option<Point>>) -> Self {
+        Self {
+            name,
+            cpu: Arc::new(CpuScene::new(scene).expect("a scene that the CPU takes")),
+            points,
+        }
+    }
+
+    fn library(name: &'static str) -> Self {
+        let scene = interreflect_scene::open(&SceneRequest::new(name)).expect("a library scene");
+        let mut subject = Self::new(name, &scene, Vec::new());
+        let view = View::of_about(&subject.cpu, &scene.camera, 400);
+        subject.points = view.points(PointLayout::Material).iter().collect();
+        subject
+    }
+
+    /// The points in a layout.
+    pub(crate) fn points(&self, layout: PointLayout) -> Points {
+        Points::new(layout, self.points.iter().copied())
+    }
+}
+
+/// The subjects, each set up when it is first needed.
+pub(crate) static SUBJECTS: [LazyLock<Subject>; 5] = [
+    LazyLock::new(|| Subject::library("colored-room")),
+    LazyLock::new(|| Subject::library("cornell-box")),
+    LazyLock::new(|| Subject::library("studio")),
+    LazyLock::new(|| {
+        let scene = room(ROOM_RADIANCES, ROOM_ORIGIN);
+        Subject::new("emitting-box", &scene, inside(400))
+    }),
+    LazyLock::new(|| {
+        let mut scene = room([0.0; 6], ROOM_ORIGIN);
+        scene.objects.clear();
+        scene.environment = Some(Environment {
+            image: gradient(),
+            scale: 1.0,
+            rotate_deg: 20.0,
+        });
+        Subject::new("open-sky", &scene, inside(100))
+    }),
+];
+
+/// Reference point of the box of ../shared/points.
+pub(crate) const ROOM_ORIGIN: Vec3 = Vec3::new(0.2, -0.1, 0.3);
+
+/// Radiances of the walls of the box of ../shared/points.
+pub(crate) const ROOM_RADIANCES: [f32; 6] = [1.0, 0.2, 0.5, 0.8, 0.3, 0.6];
+
+/// The box [−1, 1]³ with walls that emit inwards, in the order of cube faces.
+pub(crate) fn room(radiances: [f32; 6], reference_point: Vec3) -> Scene {
+    let mut mesh = Mesh::default();
+    for face in 0..CUBE_FACES {
+        let (axis, s, t) = cube_frame(face);
+        let first = mesh.positions.len() as u32;
+        let corners = [-s - t, s - t, s + t, t - s].map(|c| (axis + c).as_vec3());
+        mesh.positions.extend(corners);
+        mesh.triangles.push([first, first + 1, first + 2]);
+        mesh.triangles.push([first, first + 2, first + 3]);
+        mesh.materials.extend([face as u32; 2]);
+    }
+    Scene {
+        name: "box".into(),
+        objects: vec![Object {
+            name: "walls".into(),
+            role: Role::Environment,
+            mesh,
+        }],
+        materials: radiances.map(|l| Material::emitter(Vec3::splat(l))).into(),
+        lights: Vec::new(),
+        environment: None,
+        camera: Camera {
+            eye: Vec3::new(0.0, 0.0, 0.9),
+            target: Vec3::ZERO,
+            up: Vec3::Y,
+            vfov_deg: 60.0,
+            resolution: [16, 16],
+        },
+        reference_point,
+    }
+}
+
+/// A box on the CPU, with these points.
+pub(crate) fn box_with(radiances: [f32; 6], points: Vec<Option<Point>>) -> Subject {
+    Subject::new("box", &room(radiances, ROOM_ORIGIN), points)
+}
+
+/// A smooth environment without symmetry.
+fn gradient() -> LatLongImage {
+    let mut image = LatLongImage {
+        width: 64,
+        height: 32,
+        texels: Vec::new(),
+    };
+    for row in 0..image.height {
+        for column in 0..image.width {
+            let d = image.direction(column as f32 + 0.5, row as f32 + 0.5);
+            let texel = Vec3::new(1.0 + 0.5 * d.x, 0.7 + 0.3 * d.y, 0.6 - 0.4 * d.z);
+            image.texels.push(texel);
+        }
+    }
+    image
+}
+
+/// Points all over [−0.6, 0.6]³ with normals all around, every thirteenth without a surface.
+pub(crate) fn inside(count: usize) -> Vec<Option<Point>> {
+    // Additive recurrence with the plastic constants of five dimensions: fills space evenly.
+    const STEPS: [f64; 5] = [
+        0.856_674_9,
+        0.733_891_9,
+        0.628_706_7,
+        0.538_597_3,
+        0.461_402_7,
+    ];
+    let point = |i: usize| {
+        let u = STEPS.map(|step| (0.5 + step * i as f64).fract());
+        let position = DVec3::new(u[0], u[1], u[2]) * 1.2 - 0.6;
+        let (z, phi) = (2.0 * u[3] - 1.0, std::f64::consts::TAU * u[4]);
+        let r = (1.0 - z * z).sqrt();
+        let normal = DVec3::new(r * phi.cos(), r * phi.sin(), z);
+        let view = (normal + DVec3::new(0.3, 0.5, -0.4)).normalize();
+        (i % 13 != 7).then(|| Point {
+            position: position.as_vec3(),
+            normal: normal.as_vec3(),
+            view: view.as_vec3(),
+            material: SurfaceMaterial {
+                diffuse: Vec3::new(0.6, 0.5, 0.4),
+                specular: Vec3::new(0.2, 0.3, 0.4),
+                shininess: [1.0, 5.0, 50.0][i % 3],
+            },
+        })
+    };
+    (0..count).map(point).collect()
+}
+
+/// The public point sets, where they are there.
+pub(crate) fn shared_points() -> Option<PathBuf> {
+    let folder = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../shared/points"));
+    folder.join("room.csv").exists().then_some(folder)
+}

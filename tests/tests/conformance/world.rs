@@ -1,0 +1,155 @@
+//! The methods and backends that trials are made over.
+
+use crate::subjects::Subject;
+use interreflect::stage::{CpuStage, GpuStage, Placed, Stage};
+use interreflect_cpu::tiles::CpuCx;
+use interreflect_estimators::{Captures, Changed, Configured, Inputs, Quantity, Registry};
+use interreflect_gpu::{GpuContext, GpuError, GpuScene};
+use interreflect_scene::params::{Choice, FIDELITY, Fidelity};
+use interreflect_scene::{Estimate, Points};
+use libtest_mimic::{Failed, Trial};
+use std::sync::{Arc, LazyLock};
+
+/// What a trial comes to.
+pub(crate) type Outcome = Result<(), Failed>;
+
+/// All threads and the widest instructions.
+pub(crate) static CPU: LazyLock<CpuCx> =
+    LazyLock::new(|| CpuCx::new(None, None).expect("a pool of threads"));
+
+static GPU: LazyLock<Result<Arc<GpuContext>, GpuError>> = LazyLock::new(|| GpuContext::new(None));
+
+/// A trial on the device.
+pub(crate) fn on_gpu(
+    name: String,
+    test: impl FnOnce(&Arc<GpuContext>) -> Outcome + Send + 'static,
+) -> Trial {
+    let required = std::env::var_os("INTERREFLECT_REQUIRE_GPU").is_some_and(|v| v == "1");
+    match GPU.clone() {
+        Ok(context) => Trial::test(name, move || test(&context)),
+        Err(reason) if required => Trial::test(name, move || Err(reason.into())),
+        Err(_) => ignored(name, "no Vulkan adapter"),
+    }
+}
+
+/// A trial that does not apply, with the reason.
+pub(crate) fn ignored(name: String, reason: &str) -> Trial {
+    Trial::test(name, || Ok(()))
+        .with_ignored_flag(true)
+        .with_kind(reason)
+}
+
+/// A method in one fidelity, with one of its quantities.
+pub(crate) struct Variant {
+    pub(crate) method: Box<dyn Configured>,
+    pub(crate) quantity: Quantity,
+}
+
+impl Variant {
+    /// Name in trials.
+    pub(crate) fn name(&self) -> String {
+        let fidelity = self.method.fidelity().map(|f| format!(".{f}"));
+        let id = self.method.info().id;
+        format!(
+            "{id}{}/{}",
+            fidelity.unwrap_or_default(),
+            self.quantity.name()
+        )
+    }
+
+    pub(crate) fn copy(&self) -> Self {
+        Self {
+            method: self.method.boxed_clone(),
+            ..*self
+        }
+    }
+}
+
+/// Every registered method in each fidelity and quantity.
+pub(crate) fn variants() -> Vec<Variant> {
+    let mut variants = Vec::new();
+    for entry in Registry::builtin().entries() {
+        let mut method = entry.configure();
+        // Methods that sample need not sample long here.
+        method.set("samples", "64").ok();
+        let fidelities = match method.fidelity() {
+            Some(_) => Fidelity::ALL.iter().map(|(name, _)| Some(*name)).collect(),
+            None => vec![None],
+        };
+        for fidelity in fidelities {
+            if let Some(fidelity) = fidelity {
+                method.set(FIDELITY, fidelity).expect("a fidelity");
+            }
+            variants.extend(method.quantities().iter().map(|&quantity| Variant {
+                method: method.boxed_clone(),
+                quantity,
+            }));
+        }
+    }
+    variants
+}
+
+/// A scene on the CPU.
+pub(crate) fn cpu_stage(subject: &Subject) -> CpuStage<'static> {
+    CpuStage {
+        cx: &CPU,
+        scene: subject.cpu.clone(),
+    }
+}
+
+/// A scene on the GPU.
+pub(crate) fn gpu_stage(context: &Arc<GpuContext>, subject: &Subject) -> Result<GpuStage, Failed> {
+    Ok(GpuStage {
+        context: context.clone(),
+        scene: GpuScene::new(context, subject.cpu.scene())?,
+    })
+}
+
+/// The captures that a method declares.
+pub(crate) fn captures<S: Stage>(
+    stage: &S,
+    subject: &Subject,
+    variant: &Variant,
+) -> Result<Captures<S::Backend>, Failed> {
+    let facts = subject.cpu.scene().facts();
+    let needs = variant.method.needs(variant.quantity, &facts)?;
+    Ok(stage.capture(&needs)?.0)
+}
+
+/// Prepares and shades with these captures.
+pub(crate) fn estimate<S: Stage>(
+    stage: &S,
+    subject: &Subject,
+    variant: &Variant,
+    captures: &Captures<S::Backend>,
+    points: &Points,
+) -> Result<Estimate, Failed> {
+    let (scene, quantity) = (subject.cpu.scene(), variant.quantity);
+    let facts = scene.facts();
+    let needs = variant.method.needs(quantity, &facts)?;
+    let mut session = stage.open(&*variant.method)?;
+    let Placed {
+        points: placed,
+        mut out,
+    } = stage.place(points)?;
+    let origin = (facts, scene.reference_point);
+    let inputs = Inputs::new(&needs, captures, &placed, points, origin, Changed::ALL);
+    stage.timed("prepare", &mut |cx| {
+        session.prepare(cx, quantity, &inputs, &out)
+    })?;
+    stage.timed("shade", &mut |cx| {
+        session.shade(cx, quantity, &inputs, &mut out)
+    })?;
+    Ok(stage.read_back(&out)?.0)
+}
+
+/// Captures, prepares and shades.
+pub(crate) fn run<S: Stage>(
+    stage: &S,
+    subject: &Subject,
+    variant: &Variant,
+    points: &Points,
+) -> Result<Estimate, Failed> {
+    let captures = captures(stage, subject, variant)?;
+    estimate(stage, subject, variant, &captures, points)
+}
