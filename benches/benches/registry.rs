@@ -28,7 +28,7 @@ const SCENE: &str = "colored-room";
 struct Lab {
     cx: CpuCx,
     scene: Arc<CpuScene>,
-    points: Vec<Option<Point>>,
+    points: Vec<Point>,
 }
 
 impl Lab {
@@ -38,9 +38,9 @@ impl Lab {
         let cx = CpuCx::new(None, None).expect("a pool of threads");
         let view = cx.install(|| View::of_about(&cpu, &scene.camera, POINTS));
         let seen = view.points(PointLayout::Material);
-        let on_receiver = seen.iter().flatten().map(Some);
+        let on_receiver: Vec<_> = seen.iter().flatten().collect();
         Self {
-            points: on_receiver.cycle().take(POINTS).collect(),
+            points: on_receiver.iter().copied().cycle().take(POINTS).collect(),
             scene: cpu,
             cx,
         }
@@ -144,7 +144,7 @@ impl Run<'_> {
         let (scene, quantity) = (self.lab.scene.scene(), self.quantity);
         let needs = self.method.needs(quantity, &scene.facts())?;
         let mut session = stage.open(self.method)?;
-        let points = Points::new(quantity.layout(), self.lab.points.iter().copied());
+        let points = Points::new(quantity.layout(), self.lab.points.iter().copied().map(Some));
         let Placed {
             points: placed,
             mut out,

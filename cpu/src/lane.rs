@@ -172,7 +172,7 @@ fn log2(x: f32) -> f32 {
     let shifted = x.to_bits().wrapping_sub(0x3f35_04f3);
     let exponent = (shifted as i32) >> 23;
     let z = f32::from_bits(x.to_bits().wrapping_sub((exponent as u32) << 23)) - 1.0;
-    let mut p = 7.037_683_6e-2_f32;
+    let mut p = 7.037_684e-2_f32;
     for c in [
         -1.151_461e-1,
         1.167_699_9e-1,
@@ -181,7 +181,7 @@ fn log2(x: f32) -> f32 {
         -1.666_805_8e-1,
         2.000_071_5e-1,
         -2.499_999_4e-1,
-        3.333_333_1e-1,
+        3.333_333e-1,
     ] {
         p = p * z + c;
     }
@@ -283,11 +283,11 @@ impl Lane for Wide {
     }
     #[inline(always)]
     fn max(self, other: Self) -> Self {
-        self.zip(other, |a, b| Lane::max(a, b))
+        self.zip(other, Lane::max)
     }
     #[inline(always)]
     fn min(self, other: Self) -> Self {
-        self.zip(other, |a, b| Lane::min(a, b))
+        self.zip(other, Lane::min)
     }
     #[inline(always)]
     fn select_gt(mut self, than: Self, yes: Self, no: Self) -> Self {

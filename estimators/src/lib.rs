@@ -6,6 +6,8 @@
 mod averaging;
 mod backend;
 mod error;
+#[cfg(test)]
+mod layout;
 mod method;
 mod model;
 mod quantity;

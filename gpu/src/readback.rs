@@ -2,10 +2,15 @@
 
 use crate::{GpuContext, GpuError};
 use bytemuck::Pod;
-use std::sync::{Arc, OnceLock, PoisonError};
+use std::sync::{PoisonError, mpsc};
+use std::time::Duration;
 
 /// Largest chunk in bytes; larger things pass in several.
 const CHUNK: u64 = 16 << 20;
+
+/// Time that a mapping may still take once the copy is done: another thread that waits for the
+/// device may have taken the notice, and passes it on.
+const PATIENCE: Duration = Duration::from_secs(10);
 
 /// The buffer that everything is read back through; made at the first read, grown up to [`CHUNK`].
 #[derive(Default)]
@@ -103,10 +108,10 @@ impl GpuContext {
                 .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
             copy(&mut encoder, &buffer);
             let submission = self.queue().submit([encoder.finish()]);
-            let mapped = Arc::new(OnceLock::new());
-            let result = Arc::clone(&mapped);
-            buffer.map_async(wgpu::MapMode::Read, 0..bytes, move |r| {
-                let _ = result.set(r);
+            let (send, mapped) = mpsc::sync_channel(1);
+            buffer.map_async(wgpu::MapMode::Read, 0..bytes, move |result| {
+                // Nobody waits for it any more if the device failed meanwhile.
+                send.send(result).ok();
             });
             (submission, mapped)
         })?;
@@ -116,10 +121,10 @@ impl GpuContext {
             what: "read-back".into(),
             reason,
         };
-        match mapped.get() {
-            Some(Ok(())) => {}
-            Some(Err(e)) => return Err(failed(e.to_string())),
-            None => return Err(failed("the buffer was not mapped in time".into())),
+        match mapped.recv_timeout(PATIENCE) {
+            Ok(Ok(())) => {}
+            Ok(Err(e)) => return Err(failed(e.to_string())),
+            Err(_) => return Err(failed("the buffer was not mapped in time".into())),
         }
         let view = buffer
             .get_mapped_range(0..bytes)

@@ -14,6 +14,9 @@ use interreflect_scene::{Estimate, Needs, Points};
 use std::sync::Arc;
 use std::time::Instant;
 
+/// What an estimator does in one phase.
+pub type Phase<'p, B> = dyn FnMut(&mut <B as Backend>::Cx<'_>) -> Result<(), EstimatorError> + 'p;
+
 /// A backend with a scene on it.
 pub trait Stage {
     /// The backend.
@@ -45,7 +48,7 @@ pub trait Stage {
     fn timed(
         &self,
         label: &str,
-        work: &mut dyn FnMut(&mut <Self::Backend as Backend>::Cx<'_>) -> Result<(), EstimatorError>,
+        work: &mut Phase<'_, Self::Backend>,
     ) -> Result<f64, EstimatorError>;
 
     /// Brings the estimate to the host; milliseconds, or `None` where it is there already.
@@ -108,11 +111,7 @@ impl Stage for CpuStage<'_> {
         Ok((captures, ms))
     }
 
-    fn timed(
-        &self,
-        _label: &str,
-        work: &mut dyn FnMut(&mut &CpuCx) -> Result<(), EstimatorError>,
-    ) -> Result<f64, EstimatorError> {
+    fn timed(&self, _label: &str, work: &mut Phase<'_, Cpu>) -> Result<f64, EstimatorError> {
         let mut cx = self.cx;
         let start = Instant::now();
         work(&mut cx)?;
@@ -166,11 +165,7 @@ impl Stage for GpuStage {
         Ok((captures, time.ms))
     }
 
-    fn timed(
-        &self,
-        label: &str,
-        work: &mut dyn FnMut(&mut interreflect_gpu::GpuCx) -> Result<(), EstimatorError>,
-    ) -> Result<f64, EstimatorError> {
+    fn timed(&self, label: &str, work: &mut Phase<'_, Gpu>) -> Result<f64, EstimatorError> {
         let (_, time) = self.context.record(label, |cx| work(cx))?;
         Ok(time.ms)
     }

@@ -29,15 +29,56 @@ struct Pixel {
 /// Mirrors that a pixel's ray is followed through.
 const MIRRORS: usize = 8;
 
+/// Width in pixels of the image that finds out how much of it is shaded.
+const TRIAL: f64 = 96.0;
+
+/// Most pixels along a side of an image of about so many points.
+const MAX_SIDE: u32 = 8192;
+
 impl View {
     /// What `camera` sees. Receivers are shaded if the scene has any, else every surface.
     pub fn new(scene: &CpuScene, camera: &Camera) -> Self {
         let [width, height] = camera.resolution;
+        Self::cropped(scene, camera, [0, 0, width, height])
+    }
+
+    /// A view of about `count` shaded points: the camera's image cropped to what is shaded.
+    pub fn of_about(scene: &CpuScene, camera: &Camera, count: usize) -> Self {
+        let scaled = |width: f64| {
+            let [w, h] = camera.resolution.map(f64::from);
+            let size = |v: f64| (v.round() as u32).clamp(1, MAX_SIDE);
+            Camera {
+                resolution: [size(width), size(width * h / w)],
+                ..*camera
+            }
+        };
+        let trial = Self::new(scene, &scaled(TRIAL));
+        let factor = (count as f64 / trial.points.len().max(1) as f64).sqrt();
+        let camera = scaled(TRIAL * factor);
+        // A trial pixel on each side: what is shaded may reach a little beyond.
+        let [x0, y0, x1, y1] = trial.shaded_window();
+        let low = |v: u32| (f64::from(v.saturating_sub(1)) * factor).floor() as u32;
+        let high = |v: u32, end: u32| ((f64::from(v + 1) * factor).ceil() as u32).min(end);
+        let [width, height] = camera.resolution;
+        let (x0, y0) = (low(x0).min(width - 1), low(y0).min(height - 1));
+        let window = [
+            x0,
+            y0,
+            high(x1, width).max(x0 + 1),
+            high(y1, height).max(y0 + 1),
+        ];
+        Self::cropped(scene, &camera, window)
+    }
+
+    /// The window [left, top, right, bottom) of the camera's image, in pixels.
+    fn cropped(scene: &CpuScene, camera: &Camera, window: [u32; 4]) -> Self {
+        let [x0, y0, x1, y1] = window;
+        let (width, height) = (x1 - x0, y1 - y0);
         let only_receivers = scene.scene().objects_of(Role::Receiver).next().is_some();
         let traced: Vec<Traced> = (0..width as usize * height as usize)
             .into_par_iter()
             .map(|i| {
-                let (x, y) = (i as u32 % width, i as u32 / width);
+                let (x, y) = (x0 + i as u32 % width, y0 + i as u32 / width);
                 let direction = camera.ray(x as f32 + 0.5, y as f32 + 0.5);
                 Traced::new(scene, camera.eye.as_dvec3(), direction, only_receivers)
             })
@@ -52,25 +93,32 @@ impl View {
             direct: traced.direct,
         });
         Self {
-            resolution: camera.resolution,
+            resolution: [width, height],
             pixels: pixels.collect(),
             points,
         }
     }
 
-    /// A view of about `count` shaded points, with the aspect of the camera's image.
-    pub fn of_about(scene: &CpuScene, camera: &Camera, count: usize) -> Self {
-        let scaled = |width: f64| {
-            let [w, h] = camera.resolution.map(f64::from);
-            let size = |v: f64| (v.round() as u32).clamp(1, 4096);
-            Camera {
-                resolution: [size(width), size(width * h / w)],
-                ..*camera
-            }
-        };
-        let trial = Self::new(scene, &scaled(96.0));
-        let seen = trial.points.len().max(1);
-        Self::new(scene, &scaled(96.0 * (count as f64 / seen as f64).sqrt()))
+    /// The smallest window [left, top, right, bottom) around all shaded pixels; the whole image if
+    /// there are none.
+    fn shaded_window(&self) -> [u32; 4] {
+        let [width, height] = self.resolution;
+        let shaded = self
+            .pixels
+            .iter()
+            .enumerate()
+            .filter(|(_, p)| p.point.is_some());
+        let at = shaded.map(|(i, _)| (i as u32 % width, i as u32 / width));
+        at.map(|(x, y)| [x, y, x + 1, y + 1])
+            .reduce(|a, b| {
+                [
+                    a[0].min(b[0]),
+                    a[1].min(b[1]),
+                    a[2].max(b[2]),
+                    a[3].max(b[3]),
+                ]
+            })
+            .unwrap_or([0, 0, width, height])
     }
 
     /// The points in a layout.

@@ -10,7 +10,8 @@ struct Folder(tempfile::TempDir);
 
 /// A triangle above two points, one of them with a direction to the viewer.
 const TRIANGLE: &str = "v -1 1 -1\nv 1 1 -1\nv 0 1 1\nf 1 2 3\n";
-const POINTS: &str = "x,y,z,nx,ny,nz,vx,vy,vz,note\n0,0,0,0,1,0,0,1,0,here\n.5,0,0,0,2,0,0,1,1,there\n";
+const POINTS: &str =
+    "x,y,z,nx,ny,nz,vx,vy,vz,note\n0,0,0,0,1,0,0,1,0,here\n.5,0,0,0,2,0,0,1,1,there\n";
 
 impl Folder {
     fn new() -> Self {
@@ -64,7 +65,12 @@ impl Folder {
 }
 
 fn keys(value: &Value) -> Vec<&str> {
-    let mut keys: Vec<_> = value.as_object().unwrap().keys().map(String::as_str).collect();
+    let mut keys: Vec<_> = value
+        .as_object()
+        .unwrap()
+        .keys()
+        .map(String::as_str)
+        .collect();
     keys.sort_unstable();
     keys
 }
@@ -75,14 +81,20 @@ fn probe_prints_one_value_a_point() {
     for (options, quantity) in [
         ("", "irradiance"),
         ("--quantity irradiance", "irradiance"),
-        ("--quantity glossy_radiance --material .5,.5,5", "glossy_radiance"),
+        (
+            "--quantity glossy_radiance --material .5,.5,5",
+            "glossy_radiance",
+        ),
     ] {
         let line = format!(
             "probe furnace --reference-point .2,-.1,.3 --estimator constant_ambient \
              --set capture_resolution=8 --backend cpu --points points.csv --json {options}"
         );
         let probed = folder.json(&line);
-        assert_eq!(keys(&probed), ["backend", "estimator", "quantity", "values"]);
+        assert_eq!(
+            keys(&probed),
+            ["backend", "estimator", "quantity", "values"]
+        );
         assert_eq!(probed["estimator"], "constant_ambient");
         assert_eq!(probed["backend"], "cpu");
         assert_eq!(probed["quantity"], quantity);
@@ -90,9 +102,16 @@ fn probe_prints_one_value_a_point() {
         assert_eq!(values.len(), 2);
         for value in values {
             assert_eq!(value.as_array().unwrap().len(), 3);
-            let expected = if quantity == "irradiance" { std::f64::consts::PI } else { 1.0 };
+            let expected = if quantity == "irradiance" {
+                std::f64::consts::PI
+            } else {
+                1.0
+            };
             // Float32, and a mean of 384 equal numbers.
-            assert!((value[0].as_f64().unwrap() / expected - 1.0).abs() < 1e-6, "{value}");
+            assert!(
+                (value[0].as_f64().unwrap() / expected - 1.0).abs() < 1e-6,
+                "{value}"
+            );
         }
     }
 }
@@ -103,7 +122,10 @@ fn probe_runs_where_there_are_only_surfaces() {
     let line = "probe triangle.obj --estimator localized_cubemap --set capture_resolution=8 \
                 --points points.csv --json";
     let probed = folder.json(line);
-    assert_eq!(probed["values"], serde_json::json!([[0.0, 0.0, 0.0], [0.0, 0.0, 0.0]]));
+    assert_eq!(
+        probed["values"],
+        serde_json::json!([[0.0, 0.0, 0.0], [0.0, 0.0, 0.0]])
+    );
 }
 
 /// Scene and methods so small that a run takes no time.
@@ -141,7 +163,11 @@ fn bench_prints_machine_and_runs() {
     assert!(fidelities.contains(&&Value::Null));
     assert!(fidelities.contains(&&"published".into()));
     assert!(fidelities.contains(&&"corrected".into()));
-    assert_eq!(folder.files("").len(), 2, "nothing is written without --out");
+    assert_eq!(
+        folder.files("").len(),
+        2,
+        "nothing is written without --out"
+    );
 }
 
 fn bench_run(run: &Value) {
@@ -152,7 +178,10 @@ fn bench_run(run: &Value) {
     assert_eq!(run["params"]["capture_resolution"], 8);
     assert!(run["points"].as_u64().unwrap() > 0);
     let phases = &run["phases_ms"];
-    assert_eq!(keys(phases), ["capture", "compile", "prepare", "readback", "shade"]);
+    assert_eq!(
+        keys(phases),
+        ["capture", "compile", "prepare", "readback", "shade"]
+    );
     for phase in ["capture", "prepare", "shade"] {
         assert_eq!(keys(&phases[phase]), ["mad", "median", "n"], "{phase}");
         assert!(phases[phase]["median"].as_f64().unwrap() >= 0.0);
@@ -161,11 +190,21 @@ fn bench_run(run: &Value) {
     // The CPU compiles nothing and reads nothing back.
     assert!(phases["compile"].is_null() && phases["readback"].is_null());
     for model in ["own_model", "truth"] {
-        for word in ["relmse", "rmse", "energy_ratio", "p999", "max", "noise_floor"] {
+        for word in [
+            "relmse",
+            "rmse",
+            "energy_ratio",
+            "p999",
+            "max",
+            "noise_floor",
+        ] {
             assert!(run[model][word].is_number(), "{model}.{word} in {run}");
         }
         let verdict = run[model]["verdict"].as_str().unwrap();
-        assert!(["conclusive", "inconclusive"].contains(&verdict), "{verdict}");
+        assert!(
+            ["conclusive", "inconclusive"].contains(&verdict),
+            "{verdict}"
+        );
     }
 }
 
@@ -175,24 +214,38 @@ fn bench_leaves_whole_files_under_their_names() {
     let output = folder.run(&format!("{BENCH} --quantity irradiance --out made/here"));
     assert!(output.status.success());
     let table = String::from_utf8(output.stdout).unwrap();
-    assert!(table.contains("constant_ambient") && table.contains("report.html"), "{table}");
+    assert!(
+        table.contains("constant_ambient") && table.contains("report.html"),
+        "{table}"
+    );
     assert!(!table.contains('\u{1b}'), "colours in a pipe");
     let files = folder.files("made");
     for name in ["results.json", "report.html"] {
-        assert!(files.contains(&Path::new("made/here").join(name)), "{files:?}");
+        assert!(
+            files.contains(&Path::new("made/here").join(name)),
+            "{files:?}"
+        );
     }
     for file in &files {
         let name = file.file_name().unwrap().to_string_lossy();
-        let whole = ["json", "html", "png", "exr"].iter().any(|e| name.ends_with(e));
+        let whole = ["json", "html", "png", "exr"]
+            .iter()
+            .any(|e| name.ends_with(e));
         assert!(whole && !name.starts_with('.'), "{file:?} is left behind");
     }
     let read = |name: &str| std::fs::read_to_string(folder.path().join("made/here").join(name));
     let results: Value = serde_json::from_str(&read("results.json").unwrap()).unwrap();
     assert_eq!(results["runs"].as_array().unwrap().len(), 3);
     let report = read("report.html").unwrap();
-    assert!(report.trim_end().ends_with("</html>"), "the report is cut off");
+    assert!(
+        report.trim_end().ends_with("</html>"),
+        "the report is cut off"
+    );
     let elsewhere = ["src=\"http", "href=\"http", "url(http"];
-    assert!(elsewhere.iter().all(|w| !report.contains(w)), "the report needs the network");
+    assert!(
+        elsewhere.iter().all(|w| !report.contains(w)),
+        "the report needs the network"
+    );
 }
 
 /// What is refused, with words that the one line on standard error must have.
@@ -201,25 +254,64 @@ const REFUSED: &[(&str, &[&str])] = &[
     ("probe", &["--estimator", "--points"]),
     ("bench cornel-box", &["cornel-box", "cornell-box"]),
     ("bench missing.toml", &["missing.toml"]),
-    ("bench furnace --estimator localised_cubemap", &["localised_cubemap", "localized_cubemap"]),
-    ("bench furnace --set resolution=8", &["resolution=8", "constant_ambient.resolution"]),
-    ("bench furnace --set path_reference.sample=8", &["path_reference", "sample", "samples"]),
+    (
+        "bench furnace --estimator localised_cubemap",
+        &["localised_cubemap", "localized_cubemap"],
+    ),
+    (
+        "bench furnace --set resolution=8",
+        &["resolution=8", "constant_ambient.resolution"],
+    ),
+    (
+        "bench furnace --set path_reference.sample=8",
+        &["path_reference", "sample", "samples"],
+    ),
     ("bench furnace --set scene.albedo=2", &["albedo", "2"]),
     ("bench furnace --set scene.albedp=.2", &["albedp", "albedo"]),
     ("bench furnace --threads 0", &["--threads"]),
     ("bench furnace --backend cuda", &["cuda", "cpu"]),
-    ("bench furnace --receiver missing.obj --backend cpu", &["missing.obj"]),
-    ("bench furnace --environment missing.hdr --backend cpu", &["missing.hdr"]),
+    (
+        "bench furnace --receiver missing.obj --backend cpu",
+        &["missing.obj"],
+    ),
+    (
+        "bench furnace --environment missing.hdr --backend cpu",
+        &["missing.hdr"],
+    ),
     ("compare a.exr b.exr", &["a.exr"]),
     ("render furnace --estimator nothing", &["nothing"]),
-    ("reference furnace --set samples=0 --samples 32", &["samples", "0"]),
-    ("probe furnace --estimator constant_ambient --points missing.csv", &["missing.csv"]),
-    ("probe furnace --estimator constant_ambient --points short.csv", &["short.csv:3", "header"]),
-    ("probe furnace --estimator constant_ambient --points word.csv", &["word.csv:2", "up"]),
-    ("probe furnace --estimator constant_ambient --points zero.csv", &["zero.csv:2"]),
-    ("probe furnace --estimator constant_ambient --points header.csv", &["header.csv", "point"]),
-    ("probe furnace --estimator constant_ambient --points columns.csv", &["columns.csv:1", "nz"]),
-    ("probe furnace --estimator constant_ambient --points points.csv --set x=1", &["`x`"]),
+    (
+        "reference furnace --set samples=0 --samples 32",
+        &["samples", "0"],
+    ),
+    (
+        "probe furnace --estimator constant_ambient --points missing.csv",
+        &["missing.csv"],
+    ),
+    (
+        "probe furnace --estimator constant_ambient --points short.csv",
+        &["short.csv:3", "header"],
+    ),
+    (
+        "probe furnace --estimator constant_ambient --points word.csv",
+        &["word.csv:2", "up"],
+    ),
+    (
+        "probe furnace --estimator constant_ambient --points zero.csv",
+        &["zero.csv:2"],
+    ),
+    (
+        "probe furnace --estimator constant_ambient --points header.csv",
+        &["header.csv", "point"],
+    ),
+    (
+        "probe furnace --estimator constant_ambient --points columns.csv",
+        &["columns.csv:1", "nz"],
+    ),
+    (
+        "probe furnace --estimator constant_ambient --points points.csv --set x=1",
+        &["`x`"],
+    ),
     (
         "probe furnace --estimator localized_cubemap --points points.csv --set resolution=0",
         &["resolution", "0", "64"],
@@ -242,8 +334,14 @@ const REFUSED: &[(&str, &[&str])] = &[
          ambient_occlusion",
         &["ambient_occlusion", "irradiance"],
     ),
-    ("probe broken.obj --estimator constant_ambient --points points.csv", &["broken.obj:4"]),
-    ("probe broken.toml --estimator constant_ambient --points points.csv", &["broken.toml"]),
+    (
+        "probe broken.obj --estimator constant_ambient --points points.csv",
+        &["broken.obj:4"],
+    ),
+    (
+        "probe broken.toml --estimator constant_ambient --points points.csv",
+        &["broken.toml"],
+    ),
 ];
 
 #[test]
@@ -271,7 +369,10 @@ fn refused(folder: &Folder, line: &str, words: &[&str]) {
     assert!(output.stdout.is_empty(), "`{line}` printed something");
     assert_eq!(complaint.lines().count(), 1, "`{line}`: {complaint}");
     for word in words {
-        assert!(complaint.contains(word), "`{line}`: no `{word}` in: {complaint}");
+        assert!(
+            complaint.contains(word),
+            "`{line}`: no `{word}` in: {complaint}"
+        );
     }
 }
 
@@ -286,7 +387,10 @@ fn an_unknown_adapter_is_refused() {
     assert_eq!(complaint.lines().count(), 1, "{complaint}");
     match output.status.code() {
         Some(2) => assert!(complaint.contains("abacus"), "{complaint}"),
-        code => assert!(code == Some(1) && complaint.contains("apt-get"), "{complaint}"),
+        code => assert!(
+            code == Some(1) && complaint.contains("apt-get"),
+            "{complaint}"
+        ),
     }
 }
 

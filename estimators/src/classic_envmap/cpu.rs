@@ -56,7 +56,8 @@ impl Estimator<Cpu> for ClassicEnvmap {
     ) -> Result<(), EstimatorError> {
         let glossy = quantity == Quantity::GlossyRadiance;
         let stale = inputs.changed.any(Changed::PARAMS | Changed::CAPTURES);
-        if !stale && !(glossy && inputs.changed.any(Changed::POINTS)) {
+        let other_lobes = glossy && inputs.changed.any(Changed::POINTS);
+        if !(stale || other_lobes) {
             return Ok(());
         }
         let captured = inputs.cube(&params.captured())?;

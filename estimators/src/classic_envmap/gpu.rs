@@ -190,3 +190,7 @@ fn convolve(
     }
     Ok(maps)
 }
+
+#[cfg(test)]
+#[path = "tests.rs"]
+mod tests;

@@ -199,3 +199,7 @@ fn texel_buffer(context: &GpuContext, count: usize) -> Result<wgpu::Buffer, Esti
         context.device().create_buffer(&descriptor)
     })?)
 }
+
+#[cfg(test)]
+#[path = "tests.rs"]
+mod tests;

@@ -32,7 +32,7 @@ pub(super) struct Texel {
 pub(super) const NEAREST_M: f32 = 1e-30;
 
 /// Smallest cosine that a disc's area is divided by: only a surface seen edge-on is nearer to 0.
-const EDGE_ON: f64 = 1e-6;
+pub(super) const EDGE_ON: f64 = 1e-6;
 
 /// Averages the captures down to the texels of `params`, in the order of texel indices.
 ///

@@ -42,10 +42,9 @@ pub(super) fn run(command: &Compare) -> Result<(), HarnessError> {
         None,
     )
     .map_err(|e| HarnessError::Usage(e.to_string()))?;
-    if let Some(folder) = &command.out {
-        if let Some(map) = ErrorMap::new(&estimate, &reference, |_| true) {
-            write_error_map(&folder.join("error.png"), &map, error_range([&map]))?;
-        }
+    let map = ErrorMap::new(&estimate, &reference, |_| true);
+    if let (Some(folder), Some(map)) = (&command.out, map) {
+        write_error_map(&folder.join("error.png"), &map, error_range([&map]))?;
     }
     if command.json {
         return print_json(&comparison);

@@ -1,7 +1,8 @@
 //! Sixteen points gather from the hierarchy.
 
-use super::hierarchy::{Hierarchy, Node, Square};
+use super::hierarchy::Hierarchy;
 use super::near::{Receiver, near};
+use super::node::{Node, Square};
 use glam::Vec3;
 use interreflect_cpu::lane::{Lane, Vector, WIDTH, Wide};
 use interreflect_cpu::tiles::{PointLanes, TileKernel};
@@ -114,7 +115,7 @@ impl<'a> Gather<'a> {
                 continue;
             }
             let distance2 = tile.smallest(seen.r2);
-            let is_patch = self.hierarchy.is_patch(square);
+            let is_patch = self.hierarchy.is_patch(square, node);
             let touching = !node.at_infinity && distance2 < tile.near * node.size2();
             if touching && node.uniform && (is_patch || !self.glossy) {
                 self.add_near(square, seen.facing, tile, sums);
@@ -197,12 +198,8 @@ impl Tile {
     #[inline(always)]
     fn largest(&self, values: Wide) -> f32 {
         let mut v = values.0;
-        for i in 0..WIDTH {
-            v[i] = if self.alive[i] > 0.0 {
-                v[i]
-            } else {
-                f32::NEG_INFINITY
-            };
+        for (v, alive) in v.iter_mut().zip(&self.alive) {
+            *v = if *alive > 0.0 { *v } else { f32::NEG_INFINITY };
         }
         for half in [8, 4, 2, 1] {
             for i in 0..half {

@@ -8,6 +8,8 @@
 mod gather;
 mod hierarchy;
 mod near;
+mod node;
+mod split;
 #[cfg(test)]
 mod tests;
 
@@ -25,7 +27,8 @@ pub struct ModelValues {
     /// The values.
     pub values: Estimate,
     /// For each value: the standard error of a path-traced model, or the change from an integral
-    /// over patches and nodes of twice the size, which bounds the error left in the finer one.
+    /// over patches and nodes of twice the size. The change exceeds the error left in the finer
+    /// one on average; single points may agree by chance.
     pub error: Estimate,
     /// One line on how they were computed.
     pub description: String,

@@ -12,7 +12,7 @@ pub(super) struct Receiver {
 }
 
 /// How often at most a near quad is split in four so that the lobe varies little over each part.
-const SPLITS: u32 = 3;
+const SPLITS: u32 = 8;
 
 /// Squared distance over area from which a quad counts as a point: the relative error is a third
 /// of the inverse.

@@ -3,7 +3,7 @@
 //! Trials that need a device show as ignored, with the reason, where there is none; with
 //! `INTERREFLECT_REQUIRE_GPU=1` they then fail.
 
-mod cpu;
+mod bits;
 mod errata;
 mod needs;
 mod parity;
@@ -23,7 +23,7 @@ fn main() {
         shaders::trials(),
         twins::trials(),
         needs::trials(),
-        cpu::trials(),
+        bits::trials(),
         parity::trials(),
         errata::trials(),
         path_reference::trials(),

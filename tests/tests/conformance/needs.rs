@@ -5,13 +5,13 @@ use crate::subjects::{SUBJECTS, Subject};
 use crate::world::{Outcome, Variant, cpu_stage, gpu_stage, ignored, on_gpu, variants};
 use interreflect::measure::measure;
 use interreflect::stage::{Placed, Stage};
-use interreflect_estimators::{Backend, Captures, Changed, EstimatorError, Inputs};
+use interreflect_estimators::{Captures, Changed, EstimatorError, Inputs};
 use interreflect_scene::{CubeChannels, CubeSpec, Needs};
 use libtest_mimic::{Failed, Trial};
 
 pub(crate) fn trials() -> Vec<Trial> {
     let mut trials = Vec::new();
-    for variant in variants() {
+    for variant in variants(32) {
         for subject in &SUBJECTS {
             let name = format!("needs/{}/{}", subject.name, variant.name());
             let one = variant.copy();
@@ -84,10 +84,10 @@ fn nothing_else<S: Stage>(stage: &S, subject: &Subject, variant: &Variant) -> Ou
     let origin = (facts, scene.reference_point);
     let inputs = Inputs::new(&declared, &captures, &placed, &points, origin, Changed::ALL);
     for spec in others {
-        refused::<S::Backend, _>(inputs.cube(&spec))?;
+        refused(inputs.cube(&spec))?;
     }
     if !declared.light_transport {
-        refused::<S::Backend, _>(inputs.light_transport())?;
+        refused(inputs.light_transport())?;
     }
     ensure!(
         inputs.read() == Needs::default(),
@@ -97,7 +97,7 @@ fn nothing_else<S: Stage>(stage: &S, subject: &Subject, variant: &Variant) -> Ou
     Ok(())
 }
 
-fn refused<B: Backend, T>(read: Result<T, EstimatorError>) -> Result<(), Failed> {
+fn refused<T>(read: Result<T, EstimatorError>) -> Result<(), Failed> {
     match read {
         Err(EstimatorError::Undeclared(_)) => Ok(()),
         Err(other) => Err(format!("refused with another reason: {other}").into()),

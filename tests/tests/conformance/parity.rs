@@ -16,7 +16,7 @@ use std::sync::Arc;
 pub(crate) fn trials() -> Vec<Trial> {
     let mut trials = Vec::new();
     let registry = Registry::builtin();
-    for variant in variants() {
+    for variant in variants(128) {
         let entry = registry.get(variant.method.info().id);
         let on_both = entry.is_ok_and(|e| !e.shaders().is_empty());
         for subject in &SUBJECTS {

@@ -166,6 +166,7 @@ fn mean_radiance(m: u32, face: usize, column: u32, row: u32) -> f64 {
 /// Walls of the box by the numbers of cube faces.
 const X_POSITIVE: usize = 0;
 const X_NEGATIVE: usize = 1;
+const Y_POSITIVE: usize = 2;
 const Y_NEGATIVE: usize = 3;
 const Z_POSITIVE: usize = 4;
 
@@ -176,8 +177,16 @@ fn ties_are_where_they_are() -> Outcome {
         (4, vec![vec![X_NEGATIVE, Y_NEGATIVE]; 3]),
         (8, vec![vec![X_POSITIVE, Z_POSITIVE]; 8]),
         (16, vec![]),
-        // None in the captures that are averaged.
-        (CAPTURED, vec![]),
+        // In the capture that is averaged: 2e-5 sr each.
+        (
+            CAPTURED,
+            vec![
+                vec![Y_POSITIVE, Z_POSITIVE],
+                vec![Y_NEGATIVE, Z_POSITIVE],
+                vec![Y_NEGATIVE, Z_POSITIVE],
+                vec![Y_NEGATIVE, Z_POSITIVE],
+            ],
+        ),
     ] {
         let met = texels(m).map(|(f, c, r)| walls(whole(m, f, c, r)));
         let ties: Vec<_> = met.filter(|walls| walls.len() > 1).collect();
@@ -186,29 +195,32 @@ fn ties_are_where_they_are() -> Outcome {
     Ok(())
 }
 
-/// Some choice of walls gives the reference columns to their last digit, nine significant ones;
-/// 2e-7 leaves room for the normals, which are there with nine digits too and read as f32.
+/// One choice of walls gives the reference columns, and no other does. What is left of 2e-4 is for
+/// the four ties in the capture that is averaged, whose radiance may be either wall's.
 fn ties_explain_the_reference() -> Outcome {
     let room = ROOM.as_ref().ok_or("no point set")?;
     for (m, second_wall) in [(2, 0), (4, 0), (8, 6), (16, 0)] {
         let sum = corrected(m, &room.places());
         let column = room.column(&format!("p1_corrected_M{m}"))?;
-        let (error, choice) = (0_u32..1 << sum.ties.len())
+        let mut choices: Vec<_> = (0_u32..1 << sum.ties.len())
             .map(|choice| (largest_difference(&sum, choice, column), choice))
-            .min_by(|a, b| a.0.total_cmp(&b.0))
-            .ok_or("no choice")?;
+            .collect();
+        choices.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let (error, choice) = choices[0];
         ensure!(
-            error < 2e-7,
-            "M = {m}: no choice of walls gives the column, {error:.2e} is left"
+            error < 2e-4,
+            "M = {m}: no choice gives the column, {error:.2e} is left"
         );
-        ensure!(
-            m != 4 || choice == 0 || choice == 0b111,
-            "M = 4: the choices of walls are mixed: {choice:b}"
-        );
+        if let Some((next, _)) = choices.get(1) {
+            ensure!(
+                *next > 1e-3,
+                "M = {m}: two choices give the column, {next:.2e} apart"
+            );
+        }
         let walls: Vec<_> = sum.ties.iter().map(|t| &t.walls).collect();
         ensure!(
-            m == 4 || choice.count_ones() == second_wall,
-            "M = {m}: choice {choice:b} of {walls:?}"
+            choice.count_ones() == second_wall,
+            "M = {m}: choice {choice:b} of {walls:?}, {error:.2e} is left"
         );
     }
     Ok(())

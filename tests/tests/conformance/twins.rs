@@ -18,6 +18,9 @@ pub(crate) const ARGUMENTS: usize = 16;
 /// Numbers that a function returns, at most.
 pub(crate) const RESULTS: usize = 4;
 
+/// A call in Rust, over numbers of one precision.
+pub(crate) type Call<T> = fn(&[T; ARGUMENTS]) -> Vec<T>;
+
 /// A leaf function with its table of inputs.
 pub(crate) struct Twin {
     /// Folder of the method; empty for what all share.
@@ -27,9 +30,9 @@ pub(crate) struct Twin {
     /// The call in WGSL: a `vec4f` of the results, from the numbers in `a`.
     pub(crate) wgsl: &'static str,
     /// The call in Rust over f64.
-    pub(crate) f64: fn(&[f64; ARGUMENTS]) -> Vec<f64>,
+    pub(crate) f64: Call<f64>,
     /// The call in Rust over f32, where the function is generic over the lane.
-    pub(crate) f32: Option<fn(&[f32; ARGUMENTS]) -> Vec<f32>>,
+    pub(crate) f32: Option<Call<f32>>,
     /// The inputs.
     pub(crate) inputs: fn() -> Vec<[f32; ARGUMENTS]>,
     /// How far f32 may be from f64.
@@ -55,7 +58,7 @@ pub(crate) fn trials() -> Vec<Trial> {
     trials
 }
 
-fn on_cpu(twin: &Twin, f32: fn(&[f32; ARGUMENTS]) -> Vec<f32>) -> Outcome {
+fn on_cpu(twin: &Twin, f32: Call<f32>) -> Outcome {
     for input in (twin.inputs)() {
         compare(twin, &input, &f32(&input))?;
     }

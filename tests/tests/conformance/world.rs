@@ -65,12 +65,14 @@ impl Variant {
     }
 }
 
-/// Every registered method in each fidelity and quantity.
-pub(crate) fn variants() -> Vec<Variant> {
+/// Every registered method in each fidelity and quantity; `captured` texels along the edge of a
+/// captured cube, where the method lets that be chosen.
+pub(crate) fn variants(captured: u32) -> Vec<Variant> {
     let mut variants = Vec::new();
     for entry in Registry::builtin().entries() {
         let mut method = entry.configure();
-        // Methods that sample need not sample long here.
+        // Not every method has these; those that sample need not sample long here.
+        method.set("capture_resolution", &captured.to_string()).ok();
         method.set("samples", "64").ok();
         let fidelities = match method.fidelity() {
             Some(_) => Fidelity::ALL.iter().map(|(name, _)| Some(*name)).collect(),

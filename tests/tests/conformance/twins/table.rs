@@ -1,6 +1,6 @@
 //! The leaf functions and their inputs.
 
-use super::{ARGUMENTS, Twin};
+use super::{ARGUMENTS, Call, Twin};
 use interreflect_conformance::tolerance::Tolerance;
 use interreflect_cpu::lane::{Lane, Vector};
 use interreflect_estimators::classic_envmap::math as classic;
@@ -36,22 +36,16 @@ const LOBE: Tolerance = Tolerance {
 macro_rules! over_lanes {
     ($function:expr) => {{
         fn call<L: Lane>(a: &[L; ARGUMENTS]) -> Vec<L> {
-            let function: fn(&[L; ARGUMENTS]) -> Vec<L> = $function;
+            let function: Call<L> = $function;
             function(a)
         }
-        (
-            call::<f64> as fn(&[f64; ARGUMENTS]) -> Vec<f64>,
-            Some(call::<f32> as fn(&[f32; ARGUMENTS]) -> Vec<f32>),
-        )
+        (call::<f64> as Call<f64>, Some(call::<f32> as Call<f32>))
     }};
 }
 
 macro_rules! in_f64 {
     ($function:expr) => {
-        (
-            $function as fn(&[f64; ARGUMENTS]) -> Vec<f64>,
-            None::<fn(&[f32; ARGUMENTS]) -> Vec<f32>>,
-        )
+        ($function as Call<f64>, None::<Call<f32>>)
     };
 }
 
