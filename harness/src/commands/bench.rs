@@ -14,7 +14,7 @@ use crate::report::Report;
 use crate::stage::{CpuStage, GpuStage, Stage};
 use crate::truth::References;
 use crate::view::View;
-use interreflect_estimators::{Configured, Quantity, Registry};
+use interreflect_estimators::{Configured, OwnModel, Quantity, Registry};
 use interreflect_scene::library::library;
 use interreflect_scene::params::{Choice, FIDELITY, Fidelity};
 use std::path::PathBuf;
@@ -112,8 +112,7 @@ impl<'a> Benching<'a> {
                 .filter(|m| m.quantities().contains(&quantity))
                 .map(|m| m.boxed_clone())
                 .collect();
-            // A quantity that only the reference itself estimates has nothing to be compared with.
-            if methods.iter().all(|m| m.on_cpu().is_err()) || self.only_reference(&methods) {
+            if methods.is_empty() || self.only_light_transport(&methods, quantity) {
                 continue;
             }
             let points = view.points(quantity.layout());
@@ -155,10 +154,12 @@ impl<'a> Benching<'a> {
         Ok(())
     }
 
-    /// Whether nothing but the reference offers a quantity that nobody asked for by name.
-    fn only_reference(&self, methods: &[Box<dyn Configured>]) -> bool {
+    /// Whether only path tracing offers a quantity that nobody asked for by name: the truth would
+    /// be compared with itself.
+    fn only_light_transport(&self, methods: &[Box<dyn Configured>], quantity: Quantity) -> bool {
         let asked = !self.command.quantities.is_empty() || !self.command.estimators.is_empty();
-        !asked && methods.iter().all(|m| m.info().id == REFERENCE)
+        let mut models = methods.iter().map(|m| m.model(quantity));
+        !asked && models.all(|model| matches!(model, OwnModel::LightTransport(_)))
     }
 
     fn save(&self) -> Result<(), HarnessError> {
@@ -198,9 +199,6 @@ impl<'a> Benching<'a> {
         Ok(())
     }
 }
-
-/// The path tracer as an estimator.
-const REFERENCE: &str = "path_reference";
 
 /// A method once for each of its fidelities, or as it was set on the command line.
 fn variants(

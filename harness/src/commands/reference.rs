@@ -1,14 +1,14 @@
 //! `reference`: the truth with its standard error.
 
 use super::{print_json, print_line};
-use crate::cli::{ReferenceBudget, ReferenceCommand};
+use crate::cli::{ReferenceBudget, ReferenceCommand, Setting};
 use crate::error::HarnessError;
 use crate::lab::Lab;
 use crate::output::{HdrImage, write_exr, write_json};
 use crate::view::View;
 use interreflect_cpu::path_tracer::{LightPaths, Stop, trace};
-use interreflect_estimators::Registry;
 use interreflect_estimators::path_reference::path_quantity;
+use interreflect_estimators::{OwnModel, Registry};
 use serde::Serialize;
 
 /// Points of a reference if none are asked for.
@@ -34,8 +34,6 @@ struct TracedPoint {
 
 pub(super) fn run(command: &ReferenceCommand, registry: Registry) -> Result<(), HarnessError> {
     let lab = Lab::new(registry, &command.run)?;
-    let id = ["path_reference".to_owned()];
-    lab.check_owners(&id, &command.settings)?;
     let paths = light_paths(&lab, command)?;
     let loaded = lab.load(
         &command.scene,
@@ -106,14 +104,24 @@ pub(super) fn run(command: &ReferenceCommand, registry: Registry) -> Result<(), 
     ))
 }
 
-/// The path tracer's own settings, as its estimator takes them.
+/// The light paths that count: those of the registered method that traces paths, as it is set.
 fn light_paths(lab: &Lab, command: &ReferenceCommand) -> Result<LightPaths, HarnessError> {
-    use interreflect_estimators::OwnModel;
-    let method = lab.configure("path_reference", &command.settings)?;
-    Ok(match method.model(command.quantity) {
-        OwnModel::LightTransport(paths) => paths,
-        _ => LightPaths::default(),
-    })
+    let quantity = command.quantity;
+    let traces = |id: &str, settings: &[Setting]| {
+        let model = lab.configure(id, settings)?.model(quantity);
+        Ok::<_, HarnessError>(match model {
+            OwnModel::LightTransport(paths) => Some(paths),
+            _ => None,
+        })
+    };
+    for entry in lab.registry.entries() {
+        let id = entry.info().id;
+        if traces(id, &[])?.is_some() {
+            lab.check_owners(&[id.to_owned()], &command.settings)?;
+            return Ok(traces(id, &command.settings)?.unwrap_or_default());
+        }
+    }
+    Ok(LightPaths::default())
 }
 
 /// When to stop; a thousand samples if nothing is said.

@@ -2,8 +2,8 @@
 //!
 //! The surroundings of the reference point are captured in small patches, each a planar quad at
 //! its surface's place or a bundle of directions at infinity, and merged four by four into a
-//! [`hierarchy`]. Every point gathers from all of them: far nodes by the point kernel, near ones
-//! by the exact polygon kernel ([`gather`]).
+//! hierarchy (`hierarchy.rs`). Every point gathers from all of them: far nodes by the point kernel, near ones
+//! by the exact polygon kernel (`gather.rs`).
 
 mod gather;
 mod hierarchy;
