@@ -49,6 +49,19 @@ pub enum HarnessError {
     /// A file can't be read or written.
     #[error(transparent)]
     Output(#[from] OutputError),
+    /// Standard output can't be written.
+    #[error("standard output can't be written: {0}")]
+    Print(#[from] std::io::Error),
+    /// Some runs failed; the rest is reported.
+    #[error("{failed} of {runs} runs failed: {first}")]
+    Failed {
+        /// Runs that failed.
+        failed: usize,
+        /// All runs.
+        runs: usize,
+        /// Why the first one did.
+        first: String,
+    },
     /// The report can't be made.
     #[error(transparent)]
     Report(#[from] crate::report::ReportError),
@@ -63,7 +76,7 @@ impl HarnessError {
             | Self::UnknownEstimator(_)
             | Self::Usage(_)
             | Self::Unsupported(_)
-            | Self::CpuCx(_)
+            | Self::CpuCx(CpuCxError::Lacking(_))
             | Self::Cpu(_)
             | Self::Output(OutputError::Read { .. })
             | Self::Gpu(GpuError::UnknownAdapter { .. } | GpuError::TooManyLights { .. })

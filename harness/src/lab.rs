@@ -7,6 +7,7 @@ use interreflect_cpu::scene::CpuScene;
 use interreflect_cpu::tiles::CpuCx;
 use interreflect_estimators::{Configured, Registry};
 use interreflect_gpu::{GpuContext, GpuError, GpuScene};
+use interreflect_scene::Scene;
 use interreflect_scene::load::{SceneRequest, open};
 use std::sync::{Arc, OnceLock};
 
@@ -19,6 +20,7 @@ pub struct Lab {
     /// Seed of everything random.
     pub seed: u64,
     adapter: Option<String>,
+    machine: OnceLock<Machine>,
     gpu: OnceLock<Result<Arc<GpuContext>, GpuError>>,
 }
 
@@ -41,6 +43,7 @@ impl Lab {
             cpu: CpuCx::new(options.threads, options.instruction_set)?,
             seed: options.seed,
             adapter: options.adapter.clone(),
+            machine: OnceLock::new(),
             gpu: OnceLock::new(),
         })
     }
@@ -56,8 +59,13 @@ impl Lab {
         opened.as_ref().map_err(GpuError::clone)
     }
 
-    /// Where results come from. Names the adapter only if it was opened.
+    /// Where results come from, as it was at the first call. Names the adapter only if it was open
+    /// by then.
     pub fn machine(&self) -> Machine {
+        self.machine.get_or_init(|| self.detect()).clone()
+    }
+
+    fn detect(&self) -> Machine {
         let adapter = self.gpu.get().and_then(|gpu| gpu.as_ref().ok());
         let adapter = adapter.map(|gpu| {
             let info = gpu.info();
@@ -82,28 +90,48 @@ impl Lab {
         settings: &[Setting],
         on_gpu: bool,
     ) -> Result<Loaded, HarnessError> {
-        let of_scene = settings.iter().filter_map(|s| match s.split() {
-            (Some(SCENE), name) => Some((name.to_owned(), s.value.clone())),
-            _ => None,
-        });
-        let path = |p: &std::path::PathBuf| p.to_string_lossy().into_owned();
-        let scene = open(&SceneRequest {
-            source: source.into(),
-            receiver: options.receiver.as_ref().map(path),
-            environment: options.environment.clone(),
-            reference_point: options.reference_point,
-            set: of_scene.collect(),
-        })?;
+        let scene = self.scene(source, options, settings)?;
         let cpu = Arc::new(self.cpu.install(|| CpuScene::new(&scene))?);
         let gpu = on_gpu.then(|| {
             let context = self.gpu()?;
             Ok((context.clone(), GpuScene::new(context, &scene)?))
         });
+        let facts = scene.facts();
+        if !(facts.environment || facts.emitters || facts.lights > 0) {
+            eprintln!(
+                "warning: {}: nothing in it sends light; add a light, an emission or --environment FILE",
+                scene.name
+            );
+        }
         Ok(Loaded { cpu, gpu })
     }
 
+    /// Opens a scene.
+    ///
+    /// # Errors
+    /// [`HarnessError`] if it can't be used.
+    pub fn scene(
+        &self,
+        source: &str,
+        options: &SceneOptions,
+        settings: &[Setting],
+    ) -> Result<Scene, HarnessError> {
+        let of_scene = settings.iter().filter_map(|s| match s.split() {
+            (Some(SCENE), name) => Some((name.to_owned(), s.value.clone())),
+            _ => None,
+        });
+        let path = |p: &std::path::PathBuf| p.to_string_lossy().into_owned();
+        Ok(open(&SceneRequest {
+            source: source.into(),
+            receiver: options.receiver.as_ref().map(path),
+            environment: options.environment.clone(),
+            reference_point: options.reference_point,
+            set: of_scene.collect(),
+        })?)
+    }
+
     /// A method with the settings that are meant for it: all unqualified ones, if it is the only
-    /// method, and those qualified by its id.
+    /// method, and those qualified by its id. A parameter named `seed` takes the lab's seed first.
     ///
     /// # Errors
     /// [`HarnessError`] if a setting is refused.
@@ -113,15 +141,17 @@ impl Lab {
         settings: &[Setting],
     ) -> Result<Box<dyn Configured>, HarnessError> {
         let mut method = self.registry.get(id)?.configure();
+        let refused = |error| HarnessError::Param {
+            estimator: id.into(),
+            error,
+        };
+        if method.values().iter().any(|(field, _)| field.name == SEED) {
+            method.set(SEED, &self.seed.to_string()).map_err(refused)?;
+        }
         for setting in settings {
             let (owner, name) = setting.split();
             if owner.is_none_or(|owner| owner == id) {
-                method
-                    .set(name, &setting.value)
-                    .map_err(|error| HarnessError::Param {
-                        estimator: id.into(),
-                        error,
-                    })?;
+                method.set(name, &setting.value).map_err(refused)?;
             }
         }
         Ok(method)
@@ -154,6 +184,9 @@ impl Lab {
         Ok(())
     }
 }
+
+/// Name of the parameter that `--seed` sets, in every method that has it.
+const SEED: &str = "seed";
 
 /// Qualifier of settings that are meant for the scene.
 const SCENE: &str = "scene";

@@ -24,6 +24,7 @@ pub mod view;
 
 use interreflect_estimators::Registry;
 use std::ffi::OsString;
+use std::io::Write;
 use std::process::ExitCode;
 
 /// Runs the program with these methods and the process's arguments.
@@ -37,10 +38,14 @@ pub fn run(registry: Registry) -> ExitCode {
 
 /// As [`run`], with arguments of the caller's (the program's own name first).
 pub fn run_with(registry: Registry, arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
-    let cli = match cli::Cli::parse_arguments(arguments) {
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    let words: Vec<_> = arguments.iter().map(|a| a.to_string_lossy()).collect();
+    let command_line = words.join(" ");
+    let cli = match cli::Cli::parse_arguments(arguments.clone()) {
         Ok(cli) => cli,
         Err(cli::Stop::Information(text)) => {
-            print!("{text}");
+            // A reader that went away has seen enough.
+            let _ = std::io::stdout().write_all(text.as_bytes());
             return ExitCode::SUCCESS;
         }
         Err(cli::Stop::Usage(line)) => {
@@ -48,7 +53,7 @@ pub fn run_with(registry: Registry, arguments: impl IntoIterator<Item = OsString
             return ExitCode::from(2);
         }
     };
-    match commands::run(cli, registry) {
+    match commands::run(cli, registry, &command_line) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("error: {error}");

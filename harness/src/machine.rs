@@ -18,7 +18,8 @@ pub struct Machine {
     pub driver: Option<String>,
     /// Whether the adapter runs on the CPU.
     pub software: Option<bool>,
-    /// Commit of the source that the binary was built from, or `unknown`.
+    /// Commit of the checkout that the binary was built in, as it is when the program runs, or
+    /// `unknown`.
     pub commit: String,
     /// Whether that source differs from the commit; `None` if unknown.
     pub dirty: Option<bool>,

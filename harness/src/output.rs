@@ -49,6 +49,19 @@ fn readable_like_any_other(_: &fs::File) -> io::Result<()> {
     Ok(())
 }
 
+/// Makes a folder and checks that files can be written there, before long work depends on it.
+///
+/// # Errors
+/// [`OutputError::Write`] if it can't be made or written to.
+pub fn ensure_writable(folder: &Path) -> Result<(), OutputError> {
+    let refused = |source| OutputError::Write {
+        path: folder.into(),
+        source,
+    };
+    std::fs::create_dir_all(folder).map_err(refused)?;
+    tempfile::tempfile_in(folder).map(drop).map_err(refused)
+}
+
 /// Writes a value as indented JSON with a final line break.
 ///
 /// # Errors

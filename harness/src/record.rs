@@ -131,7 +131,8 @@ impl fmt::Display for Backend {
 pub enum TimeSource {
     /// Host clock around submission and wait.
     WallClock,
-    /// Timestamps written by the device; compile and read-back are still the host's.
+    /// Timestamps written by the device: what the host does to record the work is not in them.
+    /// Compile and read-back are still the host's.
     GpuTimestamps,
 }
 

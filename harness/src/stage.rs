@@ -8,9 +8,11 @@ use interreflect_estimators::{
     Backend, Captures, Configured, Cpu, EstimatorError, Gpu, Session, Unsupported,
 };
 use interreflect_gpu::{
-    GpuContext, GpuEstimate, GpuPoints, GpuScene, capture_cube as capture_cube_gpu,
+    GpuContext, GpuEstimate, GpuPoints, GpuScene, GpuTime, TimeSource,
+    capture_cube as capture_cube_gpu,
 };
 use interreflect_scene::{Estimate, Needs, Points};
+use std::cell::Cell;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -63,7 +65,7 @@ pub trait Stage {
     /// Milliseconds spent compiling so far, or `None` where nothing is compiled.
     fn compiled_ms(&self) -> Option<f64>;
 
-    /// Whether phases are timed by the device's own clock.
+    /// Whether all phases so far were timed by the device's own clock.
     fn device_clock(&self) -> bool;
 }
 
@@ -137,6 +139,26 @@ pub struct GpuStage {
     pub context: Arc<GpuContext>,
     /// The scene, uploaded.
     pub scene: GpuScene,
+    fell_back: Cell<bool>,
+}
+
+impl GpuStage {
+    /// A scene on a device.
+    pub fn new(context: Arc<GpuContext>, scene: GpuScene) -> Self {
+        Self {
+            context,
+            scene,
+            fell_back: Cell::new(false),
+        }
+    }
+
+    /// Milliseconds of a recording; remembers if the device's clock was of no use.
+    fn milliseconds(&self, time: GpuTime) -> f64 {
+        if time.source == TimeSource::WallClock {
+            self.fell_back.set(true);
+        }
+        time.ms
+    }
 }
 
 impl Stage for GpuStage {
@@ -162,12 +184,12 @@ impl Stage for GpuStage {
             }
             Ok::<_, EstimatorError>(())
         })?;
-        Ok((captures, time.ms))
+        Ok((captures, self.milliseconds(time)))
     }
 
     fn timed(&self, label: &str, work: &mut Phase<'_, Gpu>) -> Result<f64, EstimatorError> {
         let (_, time) = self.context.record(label, |cx| work(cx))?;
-        Ok(time.ms)
+        Ok(self.milliseconds(time))
     }
 
     fn read_back(&self, out: &GpuEstimate) -> Result<(Estimate, Option<f64>), EstimatorError> {
@@ -181,7 +203,7 @@ impl Stage for GpuStage {
     }
 
     fn device_clock(&self) -> bool {
-        self.context.device_clock()
+        self.context.device_clock() && !self.fell_back.get()
     }
 }
 

@@ -80,17 +80,14 @@ impl<'a> References<'a> {
         &self.known[at].1
     }
 
-    /// Compares an estimate with its own model and with the truth.
-    ///
-    /// # Errors
-    /// [`HarnessError`] if the estimate or a reference is not finite.
+    /// Compares an estimate with its own model and with the truth; an error if it, or what it is
+    /// compared with, is not finite.
     pub fn compare(
         &mut self,
         estimate: &Estimate,
         model: OwnModel,
-    ) -> Result<[Comparison; 2], HarnessError> {
-        let own = self.compare_with(estimate, model)?;
-        Ok([own, self.compare_with(estimate, TRUTH)?])
+    ) -> [Result<Comparison, HarnessError>; 2] {
+        [model, TRUTH].map(|model| self.compare_with(estimate, model))
     }
 
     fn compare_with(

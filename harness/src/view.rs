@@ -1,5 +1,6 @@
 //! What the camera sees, as a list of points: what is measured is what is shown.
 
+use crate::error::HarnessError;
 use crate::output::HdrImage;
 use glam::{DVec3, Vec3};
 use interreflect_cpu::direct::captured_radiance;
@@ -32,28 +33,41 @@ const MIRRORS: usize = 8;
 /// Width in pixels of the image that finds out how much of it is shaded.
 const TRIAL: f64 = 96.0;
 
-/// Most pixels along a side of an image of about so many points.
-const MAX_SIDE: u32 = 8192;
+/// Most pixels of an image: about 2 GB while it is traced.
+pub const MAX_PIXELS: u64 = 1 << 24;
 
 impl View {
     /// What `camera` sees. Receivers are shaded if the scene has any, else every surface.
-    pub fn new(scene: &CpuScene, camera: &Camera) -> Self {
+    ///
+    /// # Errors
+    /// [`HarnessError::Usage`] if the image has more than [`MAX_PIXELS`] pixels.
+    pub fn new(scene: &CpuScene, camera: &Camera) -> Result<Self, HarnessError> {
         let [width, height] = camera.resolution;
         Self::cropped(scene, camera, [0, 0, width, height])
     }
 
     /// A view of about `count` shaded points: the camera's image cropped to what is shaded.
-    pub fn of_about(scene: &CpuScene, camera: &Camera, count: usize) -> Self {
+    ///
+    /// # Errors
+    /// [`HarnessError::Usage`] if the camera sees nothing that is shaded, or if the window has more
+    /// than [`MAX_PIXELS`] pixels.
+    pub fn of_about(scene: &CpuScene, camera: &Camera, count: usize) -> Result<Self, HarnessError> {
         let scaled = |width: f64| {
             let [w, h] = camera.resolution.map(f64::from);
-            let size = |v: f64| (v.round() as u32).clamp(1, MAX_SIDE);
+            let size = |v: f64| (v.round() as u32).max(1);
             Camera {
                 resolution: [size(width), size(width * h / w)],
                 ..*camera
             }
         };
-        let trial = Self::new(scene, &scaled(TRIAL));
-        let factor = (count as f64 / trial.points.len().max(1) as f64).sqrt();
+        let trial = Self::new(scene, &scaled(TRIAL))?;
+        if trial.points.is_empty() {
+            return Err(HarnessError::Usage(format!(
+                "{}: the camera sees no surface to shade; move it in the scene file",
+                scene.scene().name
+            )));
+        }
+        let factor = (count as f64 / trial.points.len() as f64).sqrt();
         let camera = scaled(TRIAL * factor);
         // A trial pixel on each side: what is shaded may reach a little beyond.
         let [x0, y0, x1, y1] = trial.shaded_window();
@@ -71,9 +85,15 @@ impl View {
     }
 
     /// The window [left, top, right, bottom) of the camera's image, in pixels.
-    fn cropped(scene: &CpuScene, camera: &Camera, window: [u32; 4]) -> Self {
+    fn cropped(scene: &CpuScene, camera: &Camera, window: [u32; 4]) -> Result<Self, HarnessError> {
         let [x0, y0, x1, y1] = window;
         let (width, height) = (x1 - x0, y1 - y0);
+        if u64::from(width) * u64::from(height) > MAX_PIXELS {
+            return Err(HarnessError::Usage(format!(
+                "an image of {width} × {height} pixels is too large: use {MAX_PIXELS} at most, or \
+                 fewer points"
+            )));
+        }
         let only_receivers = scene.scene().objects_of(Role::Receiver).next().is_some();
         let traced: Vec<Traced> = (0..width as usize * height as usize)
             .into_par_iter()
@@ -92,11 +112,11 @@ impl View {
             throughput: traced.throughput,
             direct: traced.direct,
         });
-        Self {
+        Ok(Self {
             resolution: [width, height],
             pixels: pixels.collect(),
             points,
-        }
+        })
     }
 
     /// The smallest window [left, top, right, bottom) around all shaded pixels; the whole image if

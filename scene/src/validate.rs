@@ -1,10 +1,16 @@
 //! What every scene promises: indices in range, finite numbers, unit normals.
 
-use crate::{Light, Material, Mesh, Scene, SceneError};
+use crate::{Camera, Environment, Light, Material, Mesh, Role, Scene, SceneError};
 use glam::Vec3;
 
 /// Largest distance of a stored normal's length from 1: a few roundings of f32.
 const UNIT_TOLERANCE: f32 = 1e-4;
+/// Largest coordinate in metres: areas of boxes must not overflow f32.
+const LARGEST_COORDINATE: f32 = 1e15;
+/// Smallest extent of a scene in metres: ray queries would take less for rounding.
+const SMALLEST_EXTENT: f32 = 1e-8;
+/// Largest radiance, intensity, irradiance and flux: sums over many must stay finite in f32.
+pub(crate) const LARGEST_POWER: f32 = 1e30;
 
 impl Scene {
     /// Checks what every scene promises. Scenes that come from [`crate::load::open`] have passed;
@@ -26,45 +32,125 @@ impl Scene {
                 )
             })?;
         }
+        if let Some(fault) = self.extent_fault() {
+            return Err(wrong(fault, "scale the meshes, for example to metres"));
+        }
         if let Some(i) = self.materials.iter().position(|m| !is_physical(m)) {
             return Err(wrong(
                 format!("material {i} is not physical: {:?}", self.materials[i]),
-                "keep reflectances in [0, 1], specular plus diffuse at most 1, and emission at least 0",
+                "keep reflectances in [0, 1], specular plus diffuse at most 1, and emission from 0 to 1e30",
             ));
         }
         if let Some(i) = self.lights.iter().position(|l| !is_sound(l)) {
             return Err(wrong(
                 format!("light {i} is not usable: {:?}", self.lights[i]),
-                "use finite numbers, powers of at least 0 and unit directions",
+                "use positions within ±1e15 m, powers from 0 to 1e30 and unit directions",
             ));
         }
-        let camera = &self.camera;
-        let view = camera.target - camera.eye;
-        let framed = view.cross(camera.up).length_squared() > 0.0
-            && view.cross(camera.up).is_finite()
-            && camera.vfov_deg > 0.0
-            && camera.vfov_deg < 180.0
-            && camera.resolution.iter().all(|r| *r > 0);
-        if !framed {
+        if let Some(fault) = self.environment.as_ref().and_then(environment_fault) {
+            return Err(wrong(fault, "choose another image or scale"));
+        }
+        if let Some(fault) = camera_fault(&self.camera) {
             return Err(wrong(
-                format!("the camera has no view: {camera:?}"),
+                fault,
                 "look at another point, with `up` off the view direction",
             ));
         }
-        if !self.reference_point.is_finite() {
+        if !is_near(self.reference_point) {
             return Err(wrong(
-                format!("the reference point {} is not finite", self.reference_point),
-                "use finite numbers",
+                format!(
+                    "the reference point is {:?}",
+                    self.reference_point.to_array()
+                ),
+                "use coordinates within ±1e15 m",
             ));
         }
         Ok(())
     }
+
+    /// What is wrong with the size of the surroundings or of the receivers.
+    fn extent_fault(&self) -> Option<String> {
+        [Role::Environment, Role::Receiver]
+            .into_iter()
+            .find_map(|role| {
+                let largest = self
+                    .objects_of(role)
+                    .flat_map(|o| &o.mesh.positions)
+                    .map(|p| p.abs().max_element())
+                    .reduce(f32::max)?;
+                (largest < SMALLEST_EXTENT).then(|| {
+                    format!(
+                        "the largest coordinate of the {} is {largest:e} m, below {SMALLEST_EXTENT:e} m",
+                        match role {
+                            Role::Environment => "surroundings",
+                            Role::Receiver => "receivers",
+                        }
+                    )
+                })
+            })
+    }
+}
+
+/// Whether a point is at finite coordinates that ray queries can take.
+fn is_near(point: Vec3) -> bool {
+    point.is_finite() && point.abs().max_element() <= LARGEST_COORDINATE
+}
+
+fn camera_fault(camera: &Camera) -> Option<String> {
+    let Camera {
+        eye,
+        target,
+        up,
+        vfov_deg,
+        resolution: [width, height],
+    } = *camera;
+    let across = (target - eye).cross(up);
+    let framed = is_near(eye)
+        && is_near(target)
+        && across.is_finite()
+        && across.length_squared() > 0.0
+        && vfov_deg > 0.0
+        && vfov_deg < 180.0
+        && width > 0
+        && height > 0;
+    (!framed).then(|| {
+        let [eye, target, up] = [eye, target, up].map(|v| v.to_array());
+        format!(
+            "the camera has no view: from {eye:?} to {target:?}, up {up:?}, {vfov_deg}° in {width} × {height} pixels"
+        )
+    })
+}
+
+fn environment_fault(environment: &Environment) -> Option<String> {
+    let Environment {
+        image,
+        scale,
+        rotate_deg,
+    } = environment;
+    let (width, height, texels) = (image.width, image.height, image.texels.len());
+    if texels == 0 || texels != width as usize * height as usize {
+        return Some(format!(
+            "the environment's {width} × {height} image has {texels} texels"
+        ));
+    }
+    if !rotate_deg.is_finite() {
+        return Some(format!("the environment is turned by {rotate_deg}°"));
+    }
+    let unusable = |t: &Vec3| !is_power(*t) || !is_power(*t * *scale);
+    let texel = image.texels.iter().position(unusable)?;
+    Some(format!(
+        "the environment's texel {texel}, {:?} times {scale}, is no radiance from 0 to {LARGEST_POWER:e}",
+        image.texels[texel].to_array()
+    ))
 }
 
 fn mesh_fault(mesh: &Mesh, materials: usize) -> Result<(), String> {
     let vertices = mesh.positions.len();
-    if let Some(v) = mesh.positions.iter().position(|p| !p.is_finite()) {
-        return Err(format!("vertex {v} is at {}", mesh.positions[v]));
+    if let Some(v) = mesh.positions.iter().position(|p| !is_near(*p)) {
+        return Err(format!(
+            "vertex {v} is at {:?}, not within ±{LARGEST_COORDINATE:e} m",
+            mesh.positions[v].to_array()
+        ));
     }
     if !mesh.normals.is_empty() && mesh.normals.len() != vertices {
         return Err(format!(
@@ -112,8 +198,9 @@ pub(crate) fn is_physical(m: &Material) -> bool {
         && m.shininess >= 0.0
 }
 
-fn is_power(v: Vec3) -> bool {
-    v.is_finite() && v.min_element() >= 0.0
+/// Whether a radiance, intensity, irradiance or flux can be summed.
+pub(crate) fn is_power(v: Vec3) -> bool {
+    v.is_finite() && v.min_element() >= 0.0 && v.max_element() <= LARGEST_POWER
 }
 
 fn is_sound(light: &Light) -> bool {
@@ -122,7 +209,7 @@ fn is_sound(light: &Light) -> bool {
         Light::Point {
             position,
             intensity,
-        } => position.is_finite() && is_power(intensity),
+        } => is_near(position) && is_power(intensity),
         Light::Spot {
             position,
             direction,
@@ -131,7 +218,7 @@ fn is_sound(light: &Light) -> bool {
             intensity,
             ..
         } => {
-            position.is_finite()
+            is_near(position)
                 && is_power(intensity)
                 && unit(direction)
                 && unit(up)
@@ -149,7 +236,7 @@ fn is_sound(light: &Light) -> bool {
             area_m2,
             flux,
         } => {
-            position.is_finite()
+            is_near(position)
                 && unit(normal)
                 && area_m2 > 0.0
                 && area_m2.is_finite()

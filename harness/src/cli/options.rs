@@ -1,6 +1,6 @@
 //! Options that several commands share.
 
-use super::values::{choice, count, fraction, seconds, vector};
+use super::values::{choice, count, fraction, seconds, threads, vector};
 use crate::record::Backend;
 use clap::{Args, ValueEnum};
 use glam::Vec3;
@@ -11,7 +11,7 @@ use std::path::PathBuf;
 #[derive(Clone, Debug, Default, PartialEq, Args)]
 #[command(next_help_heading = "Scene")]
 pub struct SceneOptions {
-    /// OBJ file that takes the receiver's place, scaled to its size
+    /// `sphere`, `torus`, `blob` or an OBJ file to take the receiver's place, scaled to its size
     #[arg(long, value_name = "FILE")]
     pub receiver: Option<PathBuf>,
     /// Latitude-longitude image (HDR or EXR) as environment
@@ -29,14 +29,14 @@ pub struct RunOptions {
     /// Vulkan adapter: part of its name, or its number in `interreflect list`
     #[arg(long, value_name = "NAME")]
     pub adapter: Option<String>,
-    /// Threads of the CPU backend; all if not given
-    #[arg(long, value_name = "N", value_parser = count)]
+    /// Threads of the CPU backend, at most 1024; all if not given
+    #[arg(long, value_name = "N", value_parser = threads)]
     pub threads: Option<usize>,
     /// Instruction set of the CPU kernels; the best that the processor has if not given
     #[arg(long, value_name = "SET", value_parser = choice::<InstructionSet>())]
     pub instruction_set: Option<InstructionSet>,
     /// Seed of everything random
-    #[arg(long, value_name = "N", default_value_t = 1)]
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(..=u64::from(u32::MAX)))]
     pub seed: u64,
 }
 

@@ -126,7 +126,7 @@ fn bad_usage_is_one_line() {
             "bench --quantity light",
             &["light", "irradiance, glossy_radiance, ambient_occlusion"],
         ),
-        ("bench --threads 0", &["--threads", "1 or more"]),
+        ("bench --threads 0", &["--threads", "1 to 1024"]),
         ("bench --points", &["--points", "value is required"]),
         ("bench --set resolution", &["resolution", "name=value"]),
         (

@@ -86,6 +86,14 @@ pub(super) fn count(text: &str) -> Result<usize, String> {
     number.ok_or_else(|| "expected a whole number, 1 or more".into())
 }
 
+/// More threads than any machine has processors only cost memory.
+const MAX_THREADS: usize = 1024;
+
+pub(super) fn threads(text: &str) -> Result<usize, String> {
+    let number = text.parse().ok().filter(|n| (1..=MAX_THREADS).contains(n));
+    number.ok_or_else(|| format!("expected a whole number, 1 to {MAX_THREADS}"))
+}
+
 pub(super) fn fraction(text: &str) -> Result<f64, String> {
     let number = text.parse().ok().filter(|n| *n > 0.0 && *n < 1.0);
     number.ok_or_else(|| "expected a fraction between 0 and 1, such as .01".into())

@@ -7,16 +7,18 @@ use crate::error::HarnessError;
 use crate::gallery::Gallery;
 use crate::lab::{Lab, Loaded};
 use crate::measure::{Measured, measure};
-use crate::output::write_json;
+use crate::output::{ensure_writable, write_json};
 use crate::progress;
-use crate::record::{Backend, Results, Run, TimeSource};
+use crate::record::{Backend, Comparison, Results, Run, TimeSource};
 use crate::report::Report;
 use crate::stage::{CpuStage, GpuStage, Stage};
 use crate::truth::References;
 use crate::view::View;
-use interreflect_estimators::{Configured, OwnModel, Quantity, Registry};
+use interreflect_estimators::{Configured, EstimatorError, OwnModel, Quantity, Registry};
+use interreflect_gpu::GpuError;
 use interreflect_scene::library::library;
 use interreflect_scene::params::{Choice, FIDELITY, Fidelity};
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 
 /// How often a run is timed if nothing is said.
@@ -25,28 +27,40 @@ const REPEAT: usize = 5;
 /// Folder for results if nothing is said.
 const OUT: &str = "results";
 
-pub(super) fn run(command: &Bench, registry: Registry) -> Result<(), HarnessError> {
+pub(super) fn run(
+    command: &Bench,
+    registry: Registry,
+    command_line: &str,
+) -> Result<(), HarnessError> {
     let mut bench = Benching::new(command, registry)?;
     let scenes = match command.scenes.is_empty() {
         true => library().iter().map(|s| s.name.to_owned()).collect(),
         false => command.scenes.clone(),
     };
-    // Every scene is opened before the first is measured: a misspelt name costs no waiting.
-    let gpu = command.backend.list().contains(&Backend::Gpu);
-    for scene in &scenes {
-        let settings = &command.settings;
-        bench.lab.load(scene, &command.scene, settings, false)?;
-    }
-    for scene in &scenes {
-        let settings = &command.settings;
-        let loaded = bench.lab.load(scene, &command.scene, settings, gpu)?;
-        if let (Some(Err(error)), false) = (&loaded.gpu, bench.warned) {
-            eprintln!("warning: no GPU runs: {error}");
-            bench.warned = true;
+    // Everything that can be wrong is found before the first scene is measured.
+    let mut names = BTreeSet::new();
+    for source in &scenes {
+        let scene = bench.lab.scene(source, &command.scene, &command.settings)?;
+        if !names.insert(scene.name.clone()) {
+            return Err(HarnessError::Usage(format!(
+                "{source}: a scene named `{}` is there already; give each another name",
+                scene.name
+            )));
         }
+    }
+    let gpu = command.backend.list().contains(&Backend::Gpu);
+    if gpu {
+        bench.check_gpu()?;
+    }
+    if let Some(folder) = &bench.out {
+        ensure_writable(folder)?;
+    }
+    for source in &scenes {
+        let settings = &command.settings;
+        let loaded = bench.lab.load(source, &command.scene, settings, gpu)?;
         bench.scene(loaded)?;
     }
-    bench.finish()
+    bench.finish(command_line)
 }
 
 struct Benching<'a> {
@@ -57,28 +71,39 @@ struct Benching<'a> {
     out: Option<PathBuf>,
     runs: Vec<Run>,
     gallery: Gallery,
-    warned: bool,
+    failures: Vec<String>,
 }
 
 impl<'a> Benching<'a> {
     fn new(command: &'a Bench, registry: Registry) -> Result<Self, HarnessError> {
         let lab = Lab::new(registry, &command.run)?;
-        let ids: Vec<String> = match command.estimators.is_empty() {
+        let mut ids: Vec<String> = match command.estimators.is_empty() {
             true => {
                 let entries = lab.registry.entries().iter();
                 entries.map(|e| e.info().id.to_owned()).collect()
             }
             false => command.estimators.clone(),
         };
+        keep_first_of_each(&mut ids);
         lab.check_owners(&ids, &command.settings)?;
         let mut methods = Vec::new();
         for id in &ids {
             methods.extend(variants(&lab, id, command)?);
         }
-        let quantities = match command.quantities.is_empty() {
+        let mut quantities = match command.quantities.is_empty() {
             true => Quantity::ALL.iter().map(|(_, q)| *q).collect(),
             false => command.quantities.clone(),
         };
+        keep_first_of_each(&mut quantities);
+        let offered = |q: &Quantity| methods.iter().any(|m| m.quantities().contains(q));
+        if !quantities.iter().any(offered) {
+            let names: Vec<_> = quantities.iter().map(|q| q.name()).collect();
+            return Err(HarnessError::Usage(format!(
+                "none of the estimators {} offers {}",
+                ids.join(", "),
+                names.join(" or ")
+            )));
+        }
         let out = match (&command.out, command.json) {
             (Some(folder), _) => Some(folder.clone()),
             (None, true) => None,
@@ -92,7 +117,7 @@ impl<'a> Benching<'a> {
             out,
             runs: Vec::new(),
             gallery: Gallery::default(),
-            warned: false,
+            failures: Vec::new(),
         })
     }
 
@@ -104,7 +129,7 @@ impl<'a> Benching<'a> {
         let view = self
             .lab
             .cpu
-            .install(|| View::of_about(&scene, &camera, count));
+            .install(|| View::of_about(&scene, &camera, count))?;
         for quantity in self.quantities.clone() {
             let methods: Vec<_> = self
                 .methods
@@ -117,7 +142,8 @@ impl<'a> Benching<'a> {
             }
             let points = view.points(quantity.layout());
             let name = scene.scene().name.clone();
-            let bar = progress::bar("", methods.len() as u64 * 2);
+            let backends = self.command.backend.list();
+            let bar = progress::bar("", (methods.len() * backends.len()) as u64);
             let stop = stop(&self.command.budget);
             let seed = self.lab.seed;
             let mut references =
@@ -126,7 +152,7 @@ impl<'a> Benching<'a> {
             self.gallery
                 .begin(&name, quantity, &view, references.truth());
             for method in &methods {
-                for &backend in self.command.backend.list() {
+                for &backend in backends {
                     bar.set_message(method.info().id);
                     let repeat = self.command.repeat.unwrap_or(REPEAT);
                     let measured = stages.measure(backend, &**method, quantity, &points, repeat);
@@ -134,15 +160,22 @@ impl<'a> Benching<'a> {
                     match measured {
                         Ok((measured, time_source, software)) => {
                             let model = method.model(quantity);
-                            let [own, truth] = references.compare(&measured.estimate, model)?;
-                            run.own_model = Some(own);
-                            run.truth = Some(truth);
+                            let [own, truth] = references.compare(&measured.estimate, model);
+                            (run.own_model, run.own_model_missing) = either(own);
+                            (run.truth, run.truth_missing) = either(truth);
                             run.phases_ms = measured.phases;
                             run.time_source = time_source;
                             run.software = software;
                             self.gallery.add(&run, &view, &measured.estimate);
                         }
-                        Err(why) => run.skipped = Some(skip_reason(why)?),
+                        Err(why) => {
+                            let (reason, failed) = skip_reason(why);
+                            if failed {
+                                let label = format!("{} on {backend} in {name}", run.label());
+                                self.failures.push(format!("{label}: {reason}"));
+                            }
+                            run.skipped = Some(reason);
+                        }
                     }
                     self.runs.push(run);
                     self.save()?;
@@ -176,13 +209,13 @@ impl<'a> Benching<'a> {
         }
     }
 
-    fn finish(self) -> Result<(), HarnessError> {
+    fn finish(self, command_line: &str) -> Result<(), HarnessError> {
         let results = self.results();
         if let Some(folder) = &self.out {
             self.gallery.write(&folder.join("images"))?;
             let report = Report {
                 title: "interreflect bench".into(),
-                command: std::env::args().collect::<Vec<_>>().join(" "),
+                command: command_line.to_owned(),
                 machine: results.machine.clone(),
                 runs: results.runs.clone(),
                 rows: self.gallery.into_rows(),
@@ -190,12 +223,33 @@ impl<'a> Benching<'a> {
             report.write(&folder.join("report.html"))?;
         }
         if self.command.json {
-            return print_json(&results);
+            print_json(&results)?;
+        } else {
+            print_line(&crate::table::runs(&results.runs, None))?;
+            if let Some(folder) = &self.out {
+                print_line(&format!("{}", folder.join("report.html").display()))?;
+            }
         }
-        print_line(&crate::table::runs(&results.runs, None))?;
-        if let Some(folder) = &self.out {
-            print_line(&format!("{}", folder.join("report.html").display()))?;
+        match self.failures.first() {
+            None => Ok(()),
+            Some(first) => Err(HarnessError::Failed {
+                failed: self.failures.len(),
+                runs: results.runs.len(),
+                first: first.clone(),
+            }),
         }
+    }
+
+    /// A GPU that was asked for by name, or alone, has to be there; else its runs are skipped.
+    fn check_gpu(&self) -> Result<(), HarnessError> {
+        let Err(error) = self.lab.gpu() else {
+            return Ok(());
+        };
+        let alone = self.command.backend.list() == [Backend::Gpu];
+        if alone || matches!(error, GpuError::UnknownAdapter { .. }) {
+            return Err(error.into());
+        }
+        eprintln!("warning: no GPU runs: {error}");
         Ok(())
     }
 }
@@ -207,7 +261,10 @@ fn variants(
     command: &Bench,
 ) -> Result<Vec<Box<dyn Configured>>, HarnessError> {
     let method = lab.configure(id, &command.settings)?;
-    let chosen = command.settings.iter().any(|s| s.split().1 == FIDELITY);
+    let chosen = command.settings.iter().any(|s| {
+        let (owner, name) = s.split();
+        name == FIDELITY && owner.is_none_or(|owner| owner == id)
+    });
     if method.fidelity().is_none() || chosen {
         return Ok(vec![method]);
     }
@@ -236,7 +293,7 @@ impl<'a> Stages<'a> {
             scene: loaded.cpu,
         };
         let gpu = match loaded.gpu {
-            Some(Ok((context, scene))) => Ok(GpuStage { context, scene }),
+            Some(Ok((context, scene))) => Ok(GpuStage::new(context, scene)),
             Some(Err(error)) => Err(error.to_string()),
             None => Err("the GPU was not asked for".into()),
         };
@@ -288,12 +345,29 @@ fn record(
     }
 }
 
-/// What can't run is a result; anything else is an error.
-fn skip_reason(why: HarnessError) -> Result<String, HarnessError> {
-    use interreflect_estimators::EstimatorError;
+/// Why a run did not take place, and whether that is a failure: that a method can't run so is a
+/// result.
+fn skip_reason(why: HarnessError) -> (String, bool) {
     match why {
         HarnessError::Unsupported(why)
-        | HarnessError::Estimator(EstimatorError::Unsupported(why)) => Ok(why.0),
-        other => Err(other),
+        | HarnessError::Estimator(EstimatorError::Unsupported(why)) => (why.0, false),
+        failure => (failure.to_string(), true),
     }
+}
+
+/// A comparison, or why there is none.
+fn either(result: Result<Comparison, HarnessError>) -> (Option<Comparison>, Option<String>) {
+    match result {
+        Ok(comparison) => (Some(comparison), None),
+        Err(why) => (None, Some(why.to_string())),
+    }
+}
+
+fn keep_first_of_each<T: Clone + PartialEq>(list: &mut Vec<T>) {
+    let mut kept: Vec<T> = Vec::new();
+    list.retain(|item| {
+        let new = !kept.contains(item);
+        kept.push(item.clone());
+        new
+    });
 }

@@ -15,10 +15,10 @@ use interreflect_estimators::Registry;
 ///
 /// # Errors
 /// [`HarnessError`], one line that says what is wrong and what to do.
-pub(crate) fn run(cli: Cli, registry: Registry) -> Result<(), HarnessError> {
+pub(crate) fn run(cli: Cli, registry: Registry, command_line: &str) -> Result<(), HarnessError> {
     match cli.command {
         Command::List(command) => list::run(&command, registry),
-        Command::Bench(command) => bench::run(&command, registry),
+        Command::Bench(command) => bench::run(&command, registry, command_line),
         Command::Render(command) => render::run(&command, registry),
         Command::Probe(command) => probe::run(&command, registry),
         Command::Reference(command) => reference::run(&command, registry),
@@ -28,8 +28,7 @@ pub(crate) fn run(cli: Cli, registry: Registry) -> Result<(), HarnessError> {
 
 /// Prints a value as JSON.
 fn print_json(value: &impl serde::Serialize) -> Result<(), HarnessError> {
-    let text = serde_json::to_string(value)
-        .map_err(|e| HarnessError::Usage(format!("the result can't be written as JSON: {e}")))?;
+    let text = serde_json::to_string(value).map_err(std::io::Error::from)?;
     print_line(&text)
 }
 
@@ -37,9 +36,7 @@ fn print_json(value: &impl serde::Serialize) -> Result<(), HarnessError> {
 fn print_line(text: &str) -> Result<(), HarnessError> {
     use std::io::Write;
     match writeln!(std::io::stdout(), "{text}") {
-        Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => Err(HarnessError::Usage(format!(
-            "standard output can't be written: {e}"
-        ))),
+        Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => Err(e.into()),
         _ => Ok(()),
     }
 }

@@ -9,7 +9,7 @@ use crate::output::write_json;
 use crate::record::Backend;
 use crate::stage::{CpuStage, GpuStage};
 use glam::Vec3;
-use interreflect_estimators::{Quantity, Registry};
+use interreflect_estimators::{Configured, Quantity, Registry};
 use interreflect_scene::load::open_points;
 use interreflect_scene::{Point, Points, SurfaceMaterial};
 use serde::Serialize;
@@ -27,7 +27,10 @@ pub(super) fn run(command: &Probe, registry: Registry) -> Result<(), HarnessErro
     let id = [command.estimator.clone()];
     lab.check_owners(&id, &command.settings)?;
     let method = lab.configure(&command.estimator, &command.settings)?;
-    let quantity = command.quantity.unwrap_or(method.quantities()[0]);
+    let quantity = match command.quantity {
+        Some(quantity) => quantity,
+        None => main_quantity(&*method)?,
+    };
     let points = points(command, quantity)?;
     let gpu = command.backend == Backend::Gpu;
     let loaded = lab.load(
@@ -40,10 +43,7 @@ pub(super) fn run(command: &Probe, registry: Registry) -> Result<(), HarnessErro
     let measured = match loaded.gpu {
         Some(gpu) => {
             let (context, on_gpu) = gpu?;
-            let stage = GpuStage {
-                context,
-                scene: on_gpu,
-            };
+            let stage = GpuStage::new(context, on_gpu);
             measure(&stage, scene, &*method, quantity, &points, 0)?
         }
         None => {
@@ -74,6 +74,16 @@ pub(super) fn run(command: &Probe, registry: Registry) -> Result<(), HarnessErro
         ))?;
     }
     Ok(())
+}
+
+/// Irradiance where the method offers it, else the first that it offers.
+fn main_quantity(method: &dyn Configured) -> Result<Quantity, HarnessError> {
+    let offered = method.quantities();
+    let irradiance = offered.iter().find(|q| **q == Quantity::Irradiance);
+    irradiance
+        .or(offered.first())
+        .copied()
+        .ok_or_else(|| HarnessError::Usage(format!("{} estimates no quantity", method.info().id)))
 }
 
 /// The file's points, with the material of the command line.

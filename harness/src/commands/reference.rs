@@ -45,7 +45,7 @@ pub(super) fn run(command: &ReferenceCommand, registry: Registry) -> Result<(), 
     let camera = scene.scene().camera;
     let view = lab
         .cpu
-        .install(|| View::of_about(scene, &camera, command.points.unwrap_or(POINTS)));
+        .install(|| View::of_about(scene, &camera, command.points.unwrap_or(POINTS)))?;
     let points = view.points(command.quantity.layout());
     let stop = stop(&command.budget);
     let bar = crate::progress::bar("path tracing", 1000);
@@ -107,6 +107,15 @@ pub(super) fn run(command: &ReferenceCommand, registry: Registry) -> Result<(), 
 /// The light paths that count: those of the registered method that traces paths, as it is set.
 fn light_paths(lab: &Lab, command: &ReferenceCommand) -> Result<LightPaths, HarnessError> {
     let quantity = command.quantity;
+    for setting in &command.settings {
+        let (_, name) = setting.split();
+        if ["samples", "seed"].contains(&name) {
+            return Err(HarnessError::Usage(format!(
+                "--set {name}={}: use --{name} {} here",
+                setting.value, setting.value
+            )));
+        }
+    }
     let traces = |id: &str, settings: &[Setting]| {
         let model = lab.configure(id, settings)?.model(quantity);
         Ok::<_, HarnessError>(match model {
@@ -129,7 +138,7 @@ pub(super) fn stop(budget: &ReferenceBudget) -> Stop {
     let nothing = *budget == ReferenceBudget::default();
     Stop {
         samples: match budget.samples {
-            Some(samples) => Some(samples as u32),
+            Some(samples) => Some(u32::try_from(samples).unwrap_or(u32::MAX)),
             None => nothing.then_some(SAMPLES),
         },
         relative_error: budget.error.map(|e| e as f32),

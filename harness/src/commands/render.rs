@@ -49,13 +49,13 @@ pub(super) fn run(command: &Render, registry: Registry) -> Result<(), HarnessErr
     )?;
     let scene = loaded.cpu.clone();
     let camera = resized(scene.scene(), command);
-    let view = lab.cpu.install(|| View::new(&scene, &camera));
+    let view = lab.cpu.install(|| View::new(&scene, &camera))?;
     let points = view.points(shown.quantity().layout());
     let materials = view.points(PointLayout::Material);
     let mut gpu_stage = match loaded.gpu {
         Some(gpu) => {
             let (context, scene) = gpu?;
-            Some(GpuStage { context, scene })
+            Some(GpuStage::new(context, scene))
         }
         None => None,
     };
@@ -165,7 +165,7 @@ impl Shown {
                 Self::Light(Quantity::GlossyRadiance)
             }
             None if offered.contains(&Quantity::Irradiance) => Self::Light(Quantity::Irradiance),
-            None => Self::Quantity(offered[0]),
+            None => Self::Quantity(offered.first().copied().unwrap_or(Quantity::Irradiance)),
         }
     }
 

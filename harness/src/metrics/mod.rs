@@ -16,8 +16,9 @@
 //! A difference is *conclusive* if relMSE is more than [`NOISE_FACTOR`] times the floor, and exceeds
 //! the floor by more than [`NOISE_DEVIATIONS`] standard deviations of what noise alone would give.
 //! The first guards against a standard error that is itself uncertain, the second against few
-//! points. An exact reference (s = 0) is always conclusive: even a difference of zero is then a
-//! result.
+//! points. The RMSE has to exceed its own floor too: at dark points whose samples all happened to
+//! agree the standard error is too small, and relMSE gives such points most weight. An exact
+//! reference (s = 0) is always conclusive: even a difference of zero is then a result.
 
 use crate::record::{Comparison, Verdict};
 use glam::{DVec3, Vec3};
@@ -198,6 +199,7 @@ fn summarise(samples: &[Sample]) -> Comparison {
         max: nearest_rank(&errors, 1.0),
         noise_floor: relative.as_ref().map(|r| r.floor),
         verdict: match &relative {
+            Some(_) if noise_mse > 0.0 && mse <= noise_mse => Verdict::Inconclusive,
             Some(r) => r.verdict(),
             None if noise_mse == 0.0 || mse > NOISE_FACTOR * noise_mse => Verdict::Conclusive,
             None => Verdict::Inconclusive,

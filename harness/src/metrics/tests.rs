@@ -224,3 +224,29 @@ fn lists_of_other_lengths_are_refused() {
     };
     assert_eq!(error, expected);
 }
+
+#[test]
+fn an_underestimated_error_at_a_dark_point_decides_nothing() {
+    // Bright points with honest noise; one dark point whose samples all agreed on 0 while the
+    // estimate has the faint light that is there.
+    let mut reference = Estimate::new(101);
+    let mut standard_error = Estimate::new(101);
+    for i in 0..100 {
+        reference.set(i, Vec3::splat(1.0));
+        standard_error.set(i, Vec3::splat(0.1));
+    }
+    let mut estimate = reference.clone();
+    estimate.set(100, Vec3::splat(0.3));
+    let reference = Reference {
+        values: &reference,
+        standard_error: Some(&standard_error),
+        description: "",
+    };
+    let comparison = compare(&estimate, reference, None).expect("finite values");
+    assert!(
+        comparison
+            .relmse
+            .is_some_and(|r| r > 2.0 * comparison.noise_floor.unwrap_or(0.0))
+    );
+    assert_eq!(comparison.verdict, Verdict::Inconclusive);
+}

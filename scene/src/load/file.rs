@@ -9,6 +9,9 @@ use crate::{Material, Place, Role, Scene, SceneError};
 use glam::Vec3;
 use std::path::Path;
 
+/// Most characters of a scene's name: names of results add to it, and file systems stop at 255.
+const MAX_NAME: usize = 100;
+
 /// Settings of scenes that come from a file: the receiver that is added on request.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FileSettings {
@@ -49,28 +52,50 @@ pub(super) fn open_toml(path: &Path, request: &SceneRequest) -> Result<Scene, Sc
         let what = "there is no mesh in the scene";
         return Err(Place::file(path).error(what, "add a `[[mesh]]` table"));
     }
-    let name = file.name.unwrap_or_else(|| stem(path));
+    let name = match file.name {
+        Some(name) => name,
+        None => name_from(path)?,
+    };
     Ok(assemble(name, file.parts, file.setting))
 }
 
 /// Opens an OBJ file as a scene: one object, its faces flat unless it brings normals.
 pub(super) fn open_obj(path: &Path, request: &SceneRequest) -> Result<Scene, SceneError> {
+    let name = name_from(path)?;
     let grey = Material::diffuse(Vec3::splat(0.7));
     let mut parts = Parts::default();
     parts.add(
-        stem(path),
+        name.clone(),
         Role::Environment,
         obj::load(path, grey, MissingNormals::Flat)?,
     );
     add_receiver(&mut parts, request)?;
-    Ok(assemble(stem(path), parts, Setting::default()))
+    Ok(assemble(name, parts, Setting::default()))
 }
 
-fn stem(path: &Path) -> String {
-    path.file_stem()
-        .unwrap_or(path.as_os_str())
-        .to_string_lossy()
-        .into()
+/// A scene that is not named is called like its file.
+fn name_from(path: &Path) -> Result<String, SceneError> {
+    let name = path.file_stem().unwrap_or(path.as_os_str());
+    let name = name.to_string_lossy();
+    match name_fault(&name) {
+        None => Ok(name.into()),
+        Some(fault) => {
+            let what = format!("the file's name as the scene's {fault}");
+            Err(Place::file(path).error(what, "rename the file"))
+        }
+    }
+}
+
+/// What keeps a scene's name from being a part of file names.
+pub(super) fn name_fault(name: &str) -> Option<&'static str> {
+    let breaks = |c: char| matches!(c, '/' | '\\') || c.is_control();
+    match name {
+        "" => Some("is empty"),
+        _ if name.chars().count() > MAX_NAME => Some("is longer than 100 characters"),
+        _ if name.starts_with('.') => Some("starts with a dot"),
+        _ if name.contains(breaks) => Some("has a slash, a backslash or a control character"),
+        _ => None,
+    }
 }
 
 /// Replaces the receivers by the one asked for, in the middle of the other objects' bounding box.

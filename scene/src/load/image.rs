@@ -1,5 +1,6 @@
 //! Environment maps: Radiance HDR by the image crate, OpenEXR by the exr crate.
 
+use crate::validate::LARGEST_POWER;
 use crate::{LatLongImage, Place, SceneError};
 use exr::prelude::{ReadChannels, ReadLayers};
 use glam::Vec3;
@@ -12,10 +13,10 @@ const MAX_TEXELS: usize = 1 << 27;
 /// taken: the columns span 360°, the rows 180°, whatever their numbers.
 ///
 /// Negative values become 0: sharpening filters leave them behind in many public maps, small, and
-/// they mean no light. NaN and infinity have no such reading and are errors.
+/// they mean no light. NaN, infinity and radiances whose sums may overflow are errors.
 ///
 /// # Errors
-/// [`SceneError`] if the file can't be read or holds a value that is not finite.
+/// [`SceneError`] if the file can't be read or holds a value that is not finite or above 1e30.
 pub fn load(path: &Path) -> Result<LatLongImage, SceneError> {
     let ending = path
         .extension()
@@ -29,10 +30,15 @@ pub fn load(path: &Path) -> Result<LatLongImage, SceneError> {
             return Err(Place::file(path).error(what, "use a file that ends in .hdr or .exr"));
         }
     };
-    if let Some(i) = image.texels.iter().position(|t| !t.is_finite()) {
+    let unusable = |t: &Vec3| !t.is_finite() || t.max_element() > LARGEST_POWER;
+    if let Some(i) = image.texels.iter().position(unusable) {
         let (column, row) = (i % image.width as usize, i / image.width as usize);
-        let what = format!("pixel (column {column}, row {row}) is {}", image.texels[i]);
-        return Err(Place::file(path).error(what, "replace NaN and infinity in an image editor"));
+        let texel = image.texels[i].to_array();
+        let what = format!("pixel (column {column}, row {row}) is {texel:?}");
+        let remedy = format!(
+            "replace NaN, infinity and radiances above {LARGEST_POWER:e} in an image editor"
+        );
+        return Err(Place::file(path).error(what, remedy));
     }
     let texels = image.texels.iter().map(|t| t.max(Vec3::ZERO)).collect();
     Ok(LatLongImage { texels, ..image })

@@ -16,7 +16,7 @@ pub use file::FileSettings;
 pub use image::load as open_image;
 pub use points::open_points;
 
-use crate::{Camera, Environment, Light, Scene, SceneError, library, params};
+use crate::{Camera, Environment, Light, Place, Scene, SceneError, library, params};
 use build::Parts;
 use glam::Vec3;
 use std::path::{Path, PathBuf};
@@ -82,8 +82,14 @@ pub fn open(request: &SceneRequest) -> Result<Scene, SceneError> {
     if let Some(o) = request.reference_point {
         scene.reference_point = o;
     }
-    scene.validate()?;
-    Ok(scene)
+    let from_file = matches!(ending.as_deref(), Some("toml" | "obj"));
+    match scene.validate() {
+        Ok(()) => Ok(scene),
+        Err(SceneError::Inconsistent { what, remedy, .. }) if from_file => {
+            Err(Place::file(path).error(what, remedy))
+        }
+        Err(e) => Err(e),
+    }
 }
 
 /// What a scene has beside its objects; what is `None` follows from them.

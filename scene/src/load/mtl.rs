@@ -2,7 +2,7 @@
 //! names no lines and takes malformed colours for granted.
 
 use super::text::{self, Line};
-use crate::validate::is_physical;
+use crate::validate::{LARGEST_POWER, is_physical};
 use crate::{Material, Place, SceneError};
 use glam::Vec3;
 use std::path::Path;
@@ -63,15 +63,14 @@ fn check_value(
         };
     }
     let colour = Vec3::from(line.numbers::<3>()?);
-    let limit = if line.keyword == "Ke" { f32::MAX } else { 1.0 };
+    let limit = if line.keyword == "Ke" {
+        LARGEST_POWER
+    } else {
+        1.0
+    };
     if colour.min_element() < 0.0 || colour.max_element() > limit {
-        let range = if line.keyword == "Ke" {
-            "of at least 0"
-        } else {
-            "from 0 to 1"
-        };
-        let what = format!("{} is {} {} {}", line.keyword, colour.x, colour.y, colour.z);
-        return Err(line.error(what, format!("use numbers {range}")));
+        let what = format!("{} is {:?}", line.keyword, colour.to_array());
+        return Err(line.error(what, format!("use numbers from 0 to {limit:?}")));
     }
     match line.keyword {
         "Kd" => material.albedo = colour,

@@ -57,7 +57,7 @@ pub fn evaluate(
         return ModelValues {
             values: traced.mean,
             error: traced.standard_error,
-            description: format!("path tracing, {} samples", traced.samples),
+            description: format!("path tracing, {} samples, seed {seed}", traced.samples),
         };
     }
     let integral = |size, far| {

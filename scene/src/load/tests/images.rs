@@ -69,7 +69,11 @@ fn images_that_hold_no_light_are_refused() {
     let refused = |path: &Path| open_image(path).expect_err("refused").to_string();
     assert!(
         refused(&write("nan.exr", f32::NAN))
-            .contains("nan.exr: pixel (column 3, row 1) is [NaN, 1, 1]; replace")
+            .contains("nan.exr: pixel (column 3, row 1) is [NaN, 1.0, 1.0]; replace")
+    );
+    assert!(
+        refused(&write("bright.exr", 2e30))
+            .contains("bright.exr: pixel (column 3, row 1) is [2e30, 1.0, 1.0]; replace")
     );
     assert_eq!(
         open_image(&write("negative.exr", -1.0)).unwrap().texels[11],
@@ -82,6 +86,20 @@ fn images_that_hold_no_light_are_refused() {
             "{message}"
         );
     }
+}
+
+#[test]
+fn the_brightest_rgbe_pixel_is_named() {
+    let folder = Folder::new(&[]);
+    let path = folder.path("b.hdr");
+    let mut bytes = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n".to_vec();
+    bytes.extend([128, 128, 128, 129, 255, 1, 1, 255]);
+    std::fs::write(&path, bytes).unwrap();
+    let message = open_image(&path).expect_err("refused").to_string();
+    assert!(
+        message.contains("b.hdr: pixel (column 1, row 0) is [1.6"),
+        "{message}"
+    );
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use super::source::{Key, Source};
 use super::{Lamp, Vector};
+use crate::validate::{LARGEST_POWER, is_power};
 use crate::{Environment, Light, SceneError, SpotShape, load};
 use glam::Vec3;
 use serde::Deserialize;
@@ -156,7 +157,18 @@ impl LightTable {
     ) -> Result<Vec3, SceneError> {
         match (&self.intensity, &self.flux) {
             (Some(intensity), None) => source.power("intensity", intensity),
-            (None, Some(flux)) => Ok(source.power("flux", flux)? / omega_sr),
+            (None, Some(flux)) => {
+                let intensity = source.power("flux", flux)? / omega_sr;
+                match is_power(intensity) {
+                    true => Ok(intensity),
+                    false => Err(source.at(flux).error(
+                        format!(
+                            "`flux` in {omega_sr:e} sr is no intensity up to {LARGEST_POWER:e} W/sr"
+                        ),
+                        "lower it or widen the light's angle",
+                    )),
+                }
+            }
             (Some(_), Some(flux)) => {
                 let what = "both `intensity` and `flux` are given";
                 Err(source.at(flux).error(what, "keep one"))
@@ -208,8 +220,24 @@ impl LightTable {
             }
         };
         let (scale, turn) = (self.scale.as_ref(), self.rotate_deg.as_ref());
+        let brightest = base
+            .image
+            .texels
+            .iter()
+            .copied()
+            .fold(Vec3::ZERO, Vec3::max);
+        let scaled = |v: &Spanned<f32>| {
+            let factor = source.not_negative("scale", v)?;
+            match is_power(brightest * factor) {
+                true => Ok(factor),
+                false => Err(source.at(v).error(
+                    format!("`scale` is {factor:e} and makes radiances above {LARGEST_POWER:e}"),
+                    "lower it",
+                )),
+            }
+        };
         Ok(Environment {
-            scale: scale.map_or(Ok(1.0), |v| source.not_negative("scale", v))?,
+            scale: scale.map_or(Ok(1.0), scaled)?,
             rotate_deg: turn.map_or(Ok(0.0), |v| source.number("rotate_deg", v))?,
             ..base
         })

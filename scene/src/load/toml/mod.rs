@@ -50,7 +50,7 @@ type Vector = Spanned<[f32; 3]>;
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct SceneTable {
-    name: Option<String>,
+    name: Option<Spanned<String>>,
     reference_point: Option<Vector>,
     camera: Option<Spanned<CameraTable>>,
     #[serde(default)]
@@ -111,7 +111,7 @@ pub(super) fn read(path: &Path) -> Result<SceneFile, SceneError> {
         }
     }
     Ok(SceneFile {
-        name: table.name,
+        name: table.name.map(|n| source.name(n)).transpose()?,
         parts,
         setting,
     })

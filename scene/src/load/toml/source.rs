@@ -1,5 +1,7 @@
 //! Values of a scene file, checked, with the lines they stand in.
 
+use crate::load::file::name_fault;
+use crate::validate::{LARGEST_POWER, is_power};
 use crate::{Place, SceneError, params};
 use glam::Vec3;
 use std::ops::Range;
@@ -65,6 +67,17 @@ impl Source<'_> {
         }
     }
 
+    /// The scene's name, which becomes a part of file names.
+    pub(super) fn name(&self, value: Spanned<String>) -> Result<String, SceneError> {
+        match name_fault(value.get_ref()) {
+            None => Ok(value.into_inner()),
+            Some(fault) => Err(self.at(&value).error(
+                format!("the scene's `name` {fault}"),
+                "choose a name that can be part of a file's name",
+            )),
+        }
+    }
+
     /// Three finite numbers.
     pub(super) fn vector(&self, key: &str, value: &Spanned<[f32; 3]>) -> Result<Vec3, SceneError> {
         self.check(
@@ -91,15 +104,12 @@ impl Source<'_> {
         }
     }
 
-    /// Radiance, intensity, flux or irradiance: finite and at least 0.
+    /// Radiance, intensity, flux or irradiance: finite, at least 0 and small enough
+    /// to be summed.
     pub(super) fn power(&self, key: &str, value: &Spanned<[f32; 3]>) -> Result<Vec3, SceneError> {
         let v = self.vector(key, value)?;
-        self.check(
-            key,
-            value,
-            v.min_element() >= 0.0,
-            "use numbers of at least 0",
-        )?;
+        let remedy = format!("use numbers from 0 to {LARGEST_POWER:e}");
+        self.check(key, value, is_power(v), &remedy)?;
         Ok(v)
     }
 
@@ -109,11 +119,11 @@ impl Source<'_> {
         key: &str,
         value: &Spanned<[f32; 3]>,
     ) -> Result<Vec3, SceneError> {
-        let v = self.power(key, value)?;
+        let v = self.vector(key, value)?;
         self.check(
             key,
             value,
-            v.max_element() <= 1.0,
+            v.min_element() >= 0.0 && v.max_element() <= 1.0,
             "use numbers from 0 to 1",
         )?;
         Ok(v)

@@ -68,6 +68,18 @@ fn malformed_meshes() {
             "DIR/a.obj: there is no face (`f`) in it; export a triangle mesh",
         ),
         (
+            "v 0 0 0\nv 1e-9 0 0\nv 0 1e-9 0\nf 1 2 3\n",
+            "DIR/a.obj: the largest coordinate of the surroundings is 1e-9 m, below 1e-8 m; scale the meshes, for example to metres",
+        ),
+        (
+            "v 0 0 0\nv 1e-30 0 0\nv 0 1e-30 0\nf 1 2 3\n",
+            "DIR/a.obj: the largest coordinate of the surroundings is 1e-30 m, below 1e-8 m; scale the meshes, for example to metres",
+        ),
+        (
+            "v 0 0 0\nv 1e38 0 0\nv 0 1e38 0\nf 1 2 3\n",
+            "DIR/a.obj: object `a`: vertex 1 is at [1e38, 0.0, 0.0], not within ±1e15 m; mend the mesh or its transform",
+        ),
+        (
             "mtllib b.mtl\n",
             "DIR/a.obj:1: cannot read material library: DIR/b.mtl: No such file or directory (os error 2); check the path and its permissions; put the MTL file beside the OBJ file, or remove the line",
         ),
@@ -90,11 +102,15 @@ fn malformed_materials() {
         ),
         (
             "newmtl red\nKd 0.5 1.5 0\n",
-            "DIR/m.mtl:2: Kd is 0.5 1.5 0; use numbers from 0 to 1",
+            "DIR/m.mtl:2: Kd is [0.5, 1.5, 0.0]; use numbers from 0 to 1.0",
         ),
         (
             "newmtl red\nKe 0 -1 0\n",
-            "DIR/m.mtl:2: Ke is 0 -1 0; use numbers of at least 0",
+            "DIR/m.mtl:2: Ke is [0.0, -1.0, 0.0]; use numbers from 0 to 1e30",
+        ),
+        (
+            "newmtl red\nKe 0 2e30 0\n",
+            "DIR/m.mtl:2: Ke is [0.0, 2e30, 0.0]; use numbers from 0 to 1e30",
         ),
         (
             "newmtl red\nKs inf 0 0\n",

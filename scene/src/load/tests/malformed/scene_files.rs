@@ -80,14 +80,45 @@ fn malformed_scene_files() {
             "DIR/s.toml:3: the surface reflects more than it receives: albedo [0.7, 0.7, 0.7] + specular [0.5, 0.5, 0.5] exceeds 1; lower one of them",
         ),
         (
+            "reference_point = [0, 0, 1e16]\n[[mesh]]\nshape = \"sphere\"\n",
+            "DIR/s.toml: the reference point is [0.0, 0.0, 1e16]; use coordinates within ±1e15 m",
+        ),
+        (
+            "[[mesh]]\nshape = \"sphere\"\nmaterial = { emission = [3e38, 1, 1] }\n",
+            "DIR/s.toml:3: `emission` is [3e38, 1.0, 1.0]; use numbers from 0 to 1e30",
+        ),
+        (
             "[[mesh]]\nshape = \"sphere\"\nscale = 1e38\nradius = 1e3\n",
-            "scene `s`: object `sphere`: vertex 0 is at [NaN, NaN, NaN]; mend the mesh or its transform",
+            "DIR/s.toml: object `sphere`: vertex 0 is at [NaN, NaN, NaN], not within ±1e15 m; mend the mesh or its transform",
         ),
     ];
     let beside = [("good.obj", TRIANGLE), ("bad.obj", "v x\n")];
     for (content, expected) in cases {
         refuse(&[("s.toml", content), beside[0], beside[1]], expected);
     }
+}
+
+#[test]
+fn names_that_files_cannot_have() {
+    for (name, fault) in [
+        ("", "is empty"),
+        (&"n".repeat(101), "is longer than 100 characters"),
+        (".hidden", "starts with a dot"),
+        ("../up", "starts with a dot"),
+        ("a/b", "has a slash, a backslash or a control character"),
+        ("a\\\\b", "has a slash, a backslash or a control character"),
+        ("a\\nb", "has a slash, a backslash or a control character"),
+    ] {
+        let content = format!("# a scene\nname = \"{name}\"\n[[mesh]]\nshape = \"quad\"\n");
+        let expected = format!(
+            "DIR/s.toml:2: the scene's `name` {fault}; choose a name that can be part of a file's name"
+        );
+        refuse(&[("s.toml", &content)], &expected);
+    }
+    refuse(
+        &[("..obj", TRIANGLE)],
+        "DIR/..obj: the file's name as the scene's starts with a dot; rename the file",
+    );
 }
 
 #[test]
@@ -115,7 +146,7 @@ fn malformed_lights_and_cameras() {
         ),
         (
             "[[light]]\nkind = \"point\"\nposition = [0, 0, 0]\nintensity = [1, -1, 1]\n",
-            "DIR/s.toml:6: `intensity` is [1.0, -1.0, 1.0]; use numbers of at least 0",
+            "DIR/s.toml:6: `intensity` is [1.0, -1.0, 1.0]; use numbers from 0 to 1e30",
         ),
         (
             "[[light]]\nkind = \"point\"\nposition = [0, 0, 0]\nirradiance = [1, 1, 1]\n",
@@ -140,6 +171,22 @@ fn malformed_lights_and_cameras() {
         (
             "[[light]]\nkind = \"environment\"\nconstant = [1, 1, 1]\n[[light]]\nkind = \"environment\"\nconstant = [1, 1, 1]\n",
             "DIR/s.toml:6: a second environment light; keep one",
+        ),
+        (
+            "[[light]]\nkind = \"environment\"\nconstant = [1e31, 1, 1]\n",
+            "DIR/s.toml:5: `constant` is [1e31, 1.0, 1.0]; use numbers from 0 to 1e30",
+        ),
+        (
+            "[[light]]\nkind = \"environment\"\nconstant = [1e20, 1, 1]\nscale = 1e20\n",
+            "DIR/s.toml:6: `scale` is 1e20 and makes radiances above 1e30; lower it",
+        ),
+        (
+            "[[light]]\nkind = \"spot\"\nposition = [0, 0, 0]\ndirection = [0, 1, 0]\nangle_deg = 1e-9\nflux = [1, 1, 1]\n",
+            "DIR/s.toml:8: `flux` in 0e0 sr is no intensity up to 1e30 W/sr; lower it or widen the light's angle",
+        ),
+        (
+            "[camera]\neye = [0, 0, 1e16]\ntarget = [0, 0, 0]\n",
+            "DIR/s.toml: the camera has no view: from [0.0, 0.0, 1e16] to [0.0, 0.0, 0.0], up [0.0, 1.0, 0.0], 45° in 512 × 512 pixels; look at another point, with `up` off the view direction",
         ),
         (
             "[camera]\neye = [0, 0, 1]\n",
