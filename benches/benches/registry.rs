@@ -37,6 +37,7 @@ impl Lab {
         let cpu = Arc::new(CpuScene::new(&scene).expect("a scene that the CPU takes"));
         let cx = CpuCx::new(None, None).expect("a pool of threads");
         let view = cx.install(|| View::of_about(&cpu, &scene.camera, POINTS));
+        let view = view.expect("a view with points");
         let seen = view.points(PointLayout::Material);
         let on_receiver: Vec<_> = seen.iter().flatten().collect();
         Self {
@@ -64,7 +65,7 @@ impl Lab {
             true => "gpu-software",
             false => "gpu",
         };
-        Some((GpuStage { context, scene }, label))
+        Some((GpuStage::new(context, scene), label))
     }
 }
 

@@ -149,7 +149,7 @@ impl CpuScene {
     ) -> SurfaceHit {
         let (object, local) = objects.locate(&self.scene, hit.triangle);
         let mesh = &object.mesh;
-        let normal = geometric_normal(mesh.corners(local));
+        let normal = mesh.normal(local);
         let front = normal.as_dvec3().dot(direction) < 0.0;
         let side = if front { 1.0 } else { -1.0 };
         SurfaceHit {
@@ -187,7 +187,8 @@ impl Geometry {
         geometry.emitters = Emitters::new(scene, &soup, |triangle| {
             let (object, local) = geometry.locate(scene, triangle);
             let mesh = &object.mesh;
-            scene.materials[mesh.materials[local] as usize].emission
+            let radiance = scene.materials[mesh.materials[local] as usize].emission;
+            (radiance, mesh.normal(local))
         });
         geometry
     }
@@ -228,12 +229,6 @@ impl Geometry {
         let (object, first) = self.objects[at];
         (&scene.objects[object as usize], (triangle - first) as usize)
     }
-}
-
-/// Unit normal of the front side; zero without an area.
-pub(crate) fn geometric_normal([a, b, c]: [Vec3; 3]) -> Vec3 {
-    let (ab, ac) = ((b - a).as_dvec3(), (c - a).as_dvec3());
-    ab.cross(ac).normalize_or_zero().as_vec3()
 }
 
 fn shading_normal(mesh: &Mesh, triangle: usize, barycentric: [f64; 3]) -> Option<Vec3> {

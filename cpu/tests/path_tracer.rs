@@ -9,7 +9,7 @@ use interreflect_scene::{
     Environment, LatLongImage, Light, Material, Point, PointLayout, Points, Role, SurfaceMaterial,
 };
 use std::f32::consts::PI;
-use support::estimates::{FULL, inside, irradiance, largest_z, samples};
+use support::estimates::{FULL, inside, irradiance, irradiance_of_seed, largest_z, samples};
 use support::{cpu, glowing, lit, object, point, points, quad, sphere, under, walls};
 
 #[test]
@@ -25,7 +25,7 @@ fn irradiance_in_a_room_of_radiance_one_is_pi() {
 #[test]
 fn form_factors_of_the_cubes_faces_are_exact() {
     // The mean over a face of E/π is the form factor to the one face that emits. Sobol points
-    // over the face stand for the area integral: replicate means of it give its own error.
+    // over the face stand for the area integral: replicates of points and paths give its error.
     let opposite = 0.199_824_895_698_387_46;
     let adjacent = 0.200_043_776_075_403_16;
     for (emitting, exact) in [(1, opposite), (2, adjacent), (5, adjacent)] {
@@ -40,7 +40,7 @@ fn form_factors_of_the_cubes_faces_are_exact() {
                     point(at, Vec3::NEG_X)
                 });
                 let face = points(over_face);
-                let traced = irradiance(&scene, &face, FULL, 256);
+                let traced = irradiance_of_seed(&scene, &face, FULL, 256, replicate.into());
                 traced.mean.iter().map(|e| f64::from(e.x)).sum::<f64>() / 256.0
             })
             .map(|e| e / std::f64::consts::PI)
@@ -54,6 +54,42 @@ fn form_factors_of_the_cubes_faces_are_exact() {
         );
         assert!((mean / exact - 1.0).abs() < 1e-3);
     }
+}
+
+#[test]
+fn a_face_seen_from_the_opposite_one_is_met_within_the_stated_error() {
+    let mut materials = [glowing(0.0, 0.0); 6];
+    materials[1] = glowing(0.0, 1.0);
+    let places: Vec<[f32; 2]> = (0..256)
+        .map(|i| {
+            let [u, v, ..] = sobol_burley::sample_4d(i, 0, 0);
+            [2.0 * u - 1.0, 2.0 * v - 1.0]
+        })
+        .collect();
+    let at = |&[y, z]: &[f32; 2]| point(Vec3::new(1.0, y, z), Vec3::NEG_X);
+    let list = points(places.iter().map(at));
+    let traced = irradiance(&cpu(&walls(materials)), &list, FULL, 256);
+    // π times the form factor of a rectangle of edges a and b, in distances, above one corner.
+    let corner = |a: f64, b: f64| {
+        let (c, d) = ((1.0 + a * a).sqrt(), (1.0 + b * b).sqrt());
+        0.5 * (a / c * (b / c).atan() + b / d * (a / d).atan())
+    };
+    let exact = |i: usize| {
+        let edges = |x: f32| [0.5 - 0.5 * f64::from(x), 0.5 + 0.5 * f64::from(x)];
+        let [y, z] = places[i];
+        let pairs = edges(y).into_iter().flat_map(|a| edges(z).map(|b| (a, b)));
+        pairs.map(|(a, b)| corner(a, b)).sum::<f64>()
+    };
+    // 256 normal variables stay below 4.3 with probability 0.995 (Šidák).
+    let z = largest_z(&traced, exact);
+    assert!(z < 4.3, "largest |z| = {z}");
+    let beyond_1 = traced.mean.iter().zip(traced.standard_error.iter());
+    let beyond_1 = beyond_1
+        .enumerate()
+        .filter(|(i, (mean, error))| (f64::from(mean.x) - exact(*i)).abs() > f64::from(error.x))
+        .count();
+    // A third of normal variables lie beyond; the error is scaled at 4σ and so larger at 1σ.
+    assert!(beyond_1 > 20, "only {beyond_1} of 256 are beyond one error");
 }
 
 #[test]

@@ -17,8 +17,6 @@ mod sealed {
 
 /// Where an estimator runs.
 pub trait Backend: sealed::Sealed + Copy + Send + Sync + 'static {
-    /// Name on the command line and in records.
-    const NAME: &'static str;
     /// What varies from machine to machine.
     type Caps;
     /// What an estimator runs with: threads, or an open command encoder.
@@ -42,7 +40,6 @@ pub struct Cpu;
 pub struct Gpu;
 
 impl Backend for Cpu {
-    const NAME: &'static str = "cpu";
     type Caps = ();
     type Cx<'c> = &'c CpuCx;
     type Cube = CubeImage;
@@ -52,7 +49,6 @@ impl Backend for Cpu {
 }
 
 impl Backend for Gpu {
-    const NAME: &'static str = "gpu";
     type Caps = GpuContext;
     type Cx<'c> = GpuCx;
     type Cube = GpuCube;

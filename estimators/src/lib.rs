@@ -6,6 +6,7 @@
 mod averaging;
 mod backend;
 mod error;
+mod kept;
 #[cfg(test)]
 mod layout;
 mod method;

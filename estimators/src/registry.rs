@@ -172,6 +172,7 @@ impl<M: Method> Configured for Typed<M> {
 #[derive(Clone, Copy)]
 pub struct Entry {
     info: &'static Info,
+    gpu: Result<(), &'static str>,
     shaders: &'static [Shader],
     make: fn() -> Box<dyn Configured>,
 }
@@ -181,6 +182,7 @@ impl Entry {
     pub fn both<M: Estimator<Cpu> + Estimator<Gpu>>() -> Self {
         Self {
             info: &M::INFO,
+            gpu: Ok(()),
             shaders: <M as Estimator<Gpu>>::SHADERS,
             make: || {
                 Box::new(Typed::<M> {
@@ -196,6 +198,7 @@ impl Entry {
     pub fn cpu_only<M: CpuOnly>() -> Self {
         Self {
             info: &M::INFO,
+            gpu: Err(M::NO_GPU),
             shaders: &[],
             make: || {
                 Box::new(Typed::<M> {
@@ -210,6 +213,14 @@ impl Entry {
     /// What the method is called.
     pub fn info(&self) -> &'static Info {
         self.info
+    }
+
+    /// Whether there is a GPU implementation.
+    ///
+    /// # Errors
+    /// The reason why there is none.
+    pub fn gpu(&self) -> Result<(), &'static str> {
+        self.gpu
     }
 
     /// The method's GPU shaders.

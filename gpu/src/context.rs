@@ -83,13 +83,6 @@ impl GpuContext {
         &self.queue
     }
 
-    /// Whether `f32` textures can be filtered by samplers.
-    pub fn filters_f32(&self) -> bool {
-        self.device
-            .features()
-            .contains(wgpu::Features::FLOAT32_FILTERABLE)
-    }
-
     /// Whether times come from the device's own timestamps; from the host's clock if not.
     pub fn device_clock(&self) -> bool {
         self.timestamps.available()
@@ -155,9 +148,7 @@ impl GpuContext {
 }
 
 fn optional_features() -> wgpu::Features {
-    wgpu::Features::TIMESTAMP_QUERY
-        | wgpu::Features::TIMESTAMP_QUERY_INSIDE_ENCODERS
-        | wgpu::Features::FLOAT32_FILTERABLE
+    wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::TIMESTAMP_QUERY_INSIDE_ENCODERS
 }
 
 /// The defaults, with as large buffers and textures as the adapter has.

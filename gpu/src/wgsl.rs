@@ -1,6 +1,6 @@
 //! Parts that shaders share; list them before the parts that use them.
 
-/// π and the normalisation of Blinn–Phong.
+/// π, 2π and 1/π.
 pub const MATH: &str = include_str!("wgsl/math.wgsl");
 
 /// `cube_vector`, `cube_coordinates` and texel geometry, as in `interreflect_scene::conventions`.

@@ -188,5 +188,18 @@ impl Lab {
 /// Name of the parameter that `--seed` sets, in every method that has it.
 const SEED: &str = "seed";
 
+impl Loaded {
+    /// The scene, if it is on the GPU or need not be.
+    ///
+    /// # Errors
+    /// [`GpuError`] if it was asked for there and can't be had.
+    pub fn complete(self) -> Result<Self, GpuError> {
+        match self.gpu {
+            Some(Err(error)) => Err(error),
+            gpu => Ok(Self { gpu, ..self }),
+        }
+    }
+}
+
 /// Qualifier of settings that are meant for the scene.
 const SCENE: &str = "scene";

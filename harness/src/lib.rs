@@ -18,6 +18,7 @@ mod quiet;
 pub mod record;
 pub mod report;
 pub mod stage;
+pub mod stages;
 pub mod table;
 pub mod truth;
 pub mod view;

@@ -23,14 +23,79 @@ fn every_function_that_papers_names_exists() {
         };
         let source = std::fs::read_to_string(&path)
             .unwrap_or_else(|e| panic!("PAPERS.md names {}: {e}", path.display()));
-        let found = ["fn", "const"]
+        let found = ["(", "<"]
             .iter()
-            .any(|kind| source.contains(&format!("pub {kind} {function}")));
+            .any(|end| source.contains(&format!("fn {function}{end}")));
         assert!(
             found,
             "PAPERS.md names {file}::{function}, which is not there"
         );
     }
+}
+
+/// The texts of all Rust files below a folder of the repository.
+fn sources(below: &str) -> Vec<String> {
+    let (mut texts, mut paths) = (Vec::new(), vec![root().join(below)]);
+    while let Some(path) = paths.pop() {
+        if path.is_dir() {
+            let inside = std::fs::read_dir(path).unwrap();
+            paths.extend(inside.map(|entry| entry.unwrap().path()));
+        } else if path.extension().is_some_and(|e| e == "rs") {
+            texts.push(std::fs::read_to_string(path).unwrap());
+        }
+    }
+    texts
+}
+
+/// Whether a text has a name that is not a part of a longer one.
+fn has_word(text: &str, word: &str) -> bool {
+    let part = |c: char| c.is_alphanumeric() || c == '_';
+    text.match_indices(word)
+        .any(|(at, _)| !text[..at].ends_with(part) && !text[at + word.len()..].starts_with(part))
+}
+
+/// A name with a slash is a trial's: its first part begins a name there, the others are words of
+/// the suite. Any other is that of a test function.
+#[test]
+fn every_test_that_papers_names_exists() {
+    let papers = std::fs::read_to_string(root().join("PAPERS.md")).unwrap();
+    let rows = papers
+        .lines()
+        .filter(|l| l.starts_with("| ") && l.contains("::"));
+    let trials = sources("tests/tests/conformance").join("\n");
+    let tests: Vec<String> = ["scene", "cpu", "estimators", "tests", "harness"]
+        .iter()
+        .flat_map(|c| ["src", "tests"].map(|part| format!("{c}/{part}")))
+        .filter(|folder| root().join(folder).exists())
+        .flat_map(|folder| sources(&folder))
+        .collect();
+    let mut rows_checked = 0;
+    for row in rows {
+        let column = row.trim_end_matches([' ', '|']).rsplit('|').next().unwrap();
+        let names: Vec<_> = column.split('`').skip(1).step_by(2).collect();
+        assert!(!names.is_empty(), "PAPERS.md names no test in: {row}");
+        for name in names {
+            let exists = match name.split_once('/') {
+                Some((group, rest)) => {
+                    trials.contains(&format!("\"{group}/"))
+                        && rest.split('/').all(|part| has_word(&trials, part))
+                }
+                None => {
+                    let function = format!("#[test]\nfn {name}() {{");
+                    let inner = format!("#[test]\n    fn {name}() {{");
+                    tests
+                        .iter()
+                        .any(|t| t.contains(&function) || t.contains(&inner))
+                }
+            };
+            assert!(
+                exists,
+                "PAPERS.md names the test {name}, which is not there"
+            );
+        }
+        rows_checked += 1;
+    }
+    assert!(rows_checked > 10, "only {rows_checked} rows name tests");
 }
 
 #[test]

@@ -22,6 +22,14 @@ impl Mesh {
         self.triangles[triangle].map(|v| self.positions[v as usize])
     }
 
+    /// Unit normal of a triangle's front side; zero without an area.
+    #[inline]
+    pub fn normal(&self, triangle: usize) -> Vec3 {
+        let [a, b, c] = self.corners(triangle);
+        let (ab, ac) = ((b - a).as_dvec3(), (c - a).as_dvec3());
+        ab.cross(ac).normalize_or_zero().as_vec3()
+    }
+
     /// Smallest axis-aligned box around the vertices, or `None` for an empty mesh.
     pub fn bounds(&self) -> Option<(Vec3, Vec3)> {
         let first = *self.positions.first()?;

@@ -7,14 +7,10 @@
 use super::{
     environment::EnvironmentTable,
     sampling::{Cdf, triangle},
+    spread::{BROAD, Spread, brightness},
 };
-use crate::scene::geometric_normal;
 use glam::{DVec3, Vec3};
 use interreflect_scene::Scene;
-
-/// Sources whose light comes from more than this part of all surfaces, or of the sphere, are not
-/// drawn.
-pub(super) const BROAD: f64 = 0.3;
 
 /// Everything in a scene that can be drawn as a source of light, but for its delta lights.
 #[derive(Clone, Debug, Default)]
@@ -45,24 +41,23 @@ pub(super) struct Source {
     pub(super) density: f32,
 }
 
-/// What sources are weighted by.
-pub(super) fn brightness(radiance: Vec3) -> f32 {
-    radiance.element_sum()
-}
-
 impl Emitters {
-    /// Collects the emitting triangles of a soup, and the scene's environment.
-    pub(crate) fn new(scene: &Scene, soup: &[[Vec3; 3]], emission: impl Fn(u32) -> Vec3) -> Self {
+    /// Collects the emitting triangles of a soup, and the scene's environment; `emission` gives a
+    /// triangle's radiance and unit normal.
+    pub(crate) fn new(
+        scene: &Scene,
+        soup: &[[Vec3; 3]],
+        emission: impl Fn(u32) -> (Vec3, Vec3),
+    ) -> Self {
         let (mut weights, mut triangles) = (Vec::new(), Vec::new());
         let mut spread = Spread::default();
         for (index, &corners) in soup.iter().enumerate() {
-            let radiance = emission(index as u32);
+            let (radiance, normal) = emission(index as u32);
             let [a, b, c] = corners.map(Vec3::as_dvec3);
             let area = 0.5 * (b - a).cross(c - a).length();
             spread.add(area, brightness(radiance));
             if brightness(radiance) > 0.0 && area > 0.0 {
                 weights.push(area * f64::from(brightness(radiance)));
-                let normal = geometric_normal(corners);
                 triangles.push(Emitter {
                     corners,
                     normal,
@@ -138,33 +133,6 @@ impl Emitters {
 
     fn probability(&self, index: usize) -> f32 {
         self.choice.as_ref().map_or(0.0, |c| c.probability(index))
-    }
-}
-
-/// Over how large a part of its domain a brightness is spread: (∫ b)² / (∫ b² · ∫ 1), 1 if it is
-/// constant, the covered part if it is constant there and 0 elsewhere.
-#[derive(Default)]
-pub(super) struct Spread {
-    measure: f64,
-    first: f64,
-    second: f64,
-}
-
-impl Spread {
-    pub(super) fn add(&mut self, measure: f64, brightness: f32) {
-        let b = f64::from(brightness);
-        self.measure += measure;
-        self.first += measure * b;
-        self.second += measure * b * b;
-    }
-
-    pub(super) fn part(&self) -> f64 {
-        let whole = self.second * self.measure;
-        if whole > 0.0 {
-            self.first * self.first / whole
-        } else {
-            0.0
-        }
     }
 }
 

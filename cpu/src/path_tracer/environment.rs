@@ -1,8 +1,8 @@
 //! Drawing directions by the brightness of an environment map.
 
 use super::{
-    emitters::{BROAD, Spread, brightness},
     sampling::Cdf,
+    spread::{BROAD, Spread, brightness},
 };
 use glam::{Quat, Vec3};
 use interreflect_scene::Environment;

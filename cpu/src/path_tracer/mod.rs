@@ -11,6 +11,7 @@ mod estimator;
 mod lobe;
 mod sampling;
 mod settings;
+mod spread;
 
 pub use settings::{LightPaths, PathQuantity, Stop};
 

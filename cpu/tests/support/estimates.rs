@@ -26,13 +26,23 @@ pub(crate) fn irradiance(
     paths: LightPaths,
     count: u32,
 ) -> Traced {
+    irradiance_of_seed(scene, points, paths, count, 1)
+}
+
+pub(crate) fn irradiance_of_seed(
+    scene: &CpuScene,
+    points: &Points,
+    paths: LightPaths,
+    count: u32,
+    seed: u64,
+) -> Traced {
     trace(
         scene,
         points,
         PathQuantity::Irradiance,
         &paths,
         &samples(count),
-        1,
+        seed,
         &|_| (),
     )
 }

@@ -1,33 +1,63 @@
 //! Classic environment mapping on the CPU.
 
-use super::map::{Source, node_points, sources};
+use super::map::{Source, directions, light, node_points};
 use super::math::{cosine_weight, map_nodes, map_taps, phong_exponent, phong_weight};
 use super::{ClassicEnvmap, ClassicEnvmapParams, lobe_exponents};
+use crate::averaging::face_solid_angles_sr;
+use crate::kept::Kept;
 use crate::{Changed, Cpu, Estimator, EstimatorError, Inputs, Quantity};
 use glam::Vec3;
 use interreflect_cpu::lane::{Lane, Vector, WIDTH, Wide};
 use interreflect_cpu::tiles::{CpuCx, PointLanes, TileKernel};
-use interreflect_scene::{Estimate, PointLayout};
+use interreflect_scene::{Estimate, PointLayout, Points};
 use std::f32::consts::FRAC_1_PI;
 
-/// The convolved maps, kept across frames.
+/// The tables and the convolved maps, kept across frames.
 #[derive(Default)]
 pub struct State {
+    tables: Kept<ClassicEnvmapParams, Tables>,
+    maps: Option<Maps>,
+}
+
+/// What a convolution reads and where it is evaluated.
+struct Tables {
+    omegas_sr: Vec<f32>,
+    sources: Vec<Source>,
+    nodes: Points,
+}
+
+impl Tables {
+    fn new(params: &ClassicEnvmapParams) -> Self {
+        Self {
+            omegas_sr: face_solid_angles_sr(params.captured().size),
+            sources: directions(params.resolution),
+            nodes: node_points(params.map_resolution),
+        }
+    }
+}
+
+/// The convolved maps: for each lobe its exponent and map, ascending.
+struct Maps {
     irradiance: Map,
     lobes: Vec<(f32, Map)>,
 }
 
+impl Maps {
+    fn exponents(&self) -> Vec<f32> {
+        self.lobes.iter().map(|(exponent, _)| *exponent).collect()
+    }
+}
+
 /// RGB at the nodes of a cube map, row by row.
-#[derive(Default)]
 struct Map {
     cells: u32,
     nodes: Vec<Vec3>,
 }
 
 impl Map {
-    fn convolve<K: TileKernel>(cx: &CpuCx, cells: u32, kernel: &K) -> Self {
+    fn convolve<K: TileKernel>(cx: &CpuCx, cells: u32, at: &Points, kernel: &K) -> Self {
         let mut nodes = Estimate::new(map_nodes(cells));
-        cx.for_each_tile(&node_points(cells), &mut nodes, kernel);
+        cx.for_each_tile(at, &mut nodes, kernel);
         Self {
             cells,
             nodes: nodes.iter().collect(),
@@ -54,23 +84,22 @@ impl Estimator<Cpu> for ClassicEnvmap {
         inputs: &Inputs<'_, Cpu>,
         _out: &Estimate,
     ) -> Result<(), EstimatorError> {
-        let glossy = quantity == Quantity::GlossyRadiance;
+        let kept = state.maps.as_ref().map(Maps::exponents);
+        let exponents = lobe_exponents(quantity, inputs, kept.clone().unwrap_or_default())?;
         let stale = inputs.changed.any(Changed::PARAMS | Changed::CAPTURES);
-        let other_lobes = glossy && inputs.changed.any(Changed::POINTS);
-        if !(stale || other_lobes) {
+        if !stale && kept.as_ref() == Some(&exponents) {
             return Ok(());
         }
         let captured = inputs.cube(&params.captured())?;
-        let sources = sources(params.resolution, captured);
+        let tables = state.tables.tables(params, || Ok(Tables::new(params)))?;
+        let (sources, nodes) = (&mut tables.sources, &tables.nodes);
+        light(sources, params.resolution, captured, &tables.omegas_sr);
         let cells = params.map_resolution;
-        state.irradiance = Map::convolve(cx, cells, &Cosine(&sources));
-        state.lobes.clear();
-        if glossy {
-            for exponent in lobe_exponents(inputs)? {
-                let map = Map::convolve(cx, cells, &Phong(&sources, exponent));
-                state.lobes.push((exponent, map));
-            }
-        }
+        let lobe = |e| (e, Map::convolve(cx, cells, nodes, &Phong(sources, e)));
+        state.maps = Some(Maps {
+            irradiance: Map::convolve(cx, cells, nodes, &Cosine(sources)),
+            lobes: exponents.into_iter().map(lobe).collect(),
+        });
         Ok(())
     }
 
@@ -82,9 +111,13 @@ impl Estimator<Cpu> for ClassicEnvmap {
         inputs: &Inputs<'_, Cpu>,
         out: &mut Estimate,
     ) -> Result<(), EstimatorError> {
+        let maps = state.maps.as_ref().ok_or(EstimatorError::Unprepared)?;
         match quantity {
-            Quantity::GlossyRadiance => cx.for_each_tile(inputs.points, out, &Glossy(state)),
-            _ => cx.for_each_tile(inputs.points, out, &Diffuse(state)),
+            Quantity::GlossyRadiance if maps.lobes.is_empty() => {
+                return Err(EstimatorError::Unprepared);
+            }
+            Quantity::GlossyRadiance => cx.for_each_tile(inputs.points, out, &Glossy(maps)),
+            _ => cx.for_each_tile(inputs.points, out, &Diffuse(maps)),
         }
         Ok(())
     }
@@ -139,7 +172,7 @@ impl TileKernel for Phong<'_> {
     }
 }
 
-struct Diffuse<'a>(&'a State);
+struct Diffuse<'a>(&'a Maps);
 
 impl TileKernel for Diffuse<'_> {
     #[inline(always)]
@@ -150,7 +183,7 @@ impl TileKernel for Diffuse<'_> {
 }
 
 /// L = k_d/π·E(n) + k_s·L_N(r).
-struct Glossy<'a>(&'a State);
+struct Glossy<'a>(&'a Maps);
 
 impl TileKernel for Glossy<'_> {
     #[inline(always)]

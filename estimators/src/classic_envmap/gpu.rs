@@ -4,8 +4,9 @@ use super::map::directions;
 use super::math::{map_nodes, node_direction};
 use super::{ClassicEnvmap, ClassicEnvmapParams, MAX_LOBES, lobe_exponents};
 use crate::averaging::face_solid_angles_sr;
+use crate::kept::Kept;
 use crate::{Changed, Estimator, EstimatorError, Gpu, Inputs, LOBE_POWER, Quantity};
-use interreflect_gpu::{GpuCx, GpuEstimate, Kernel, Shader, wgsl};
+use interreflect_gpu::{GpuContext, GpuCx, GpuEstimate, Kernel, Shader, wgsl};
 
 const LEAVES: &str = include_str!("math.wgsl");
 const SOURCE: &str = include_str!("source.wgsl");
@@ -38,12 +39,41 @@ const SHADE: Shader = Shader {
     ],
 };
 
-/// The convolved maps and the kernel that looks them up, kept across frames.
+/// The tables, the convolved maps and the kernel that looks them up, kept across frames.
 #[derive(Default)]
 pub struct State {
+    tables: Kept<ClassicEnvmapParams, Tables>,
     maps: Option<wgpu::Buffer>,
     exponents: Vec<f32>,
     shade: Option<Kernel>,
+}
+
+/// What a convolution reads and where it is evaluated.
+struct Tables {
+    /// Solid angles in sr of a face's captured texels.
+    omegas_sr: wgpu::Buffer,
+    /// The texels, whose radiance each averaging writes anew.
+    sources: wgpu::Buffer,
+    source_count: u32,
+    /// Directions of a map's nodes.
+    directions: wgpu::Buffer,
+}
+
+impl Tables {
+    fn new(params: &ClassicEnvmapParams, context: &GpuContext) -> Result<Self, EstimatorError> {
+        let cells = params.map_resolution;
+        let omegas_sr = face_solid_angles_sr(params.captured().size);
+        let sources = directions(params.resolution);
+        let directions: Vec<[f32; 4]> = (0..map_nodes(cells))
+            .map(|i| node_direction(cells, i).extend(0.0).to_array())
+            .collect();
+        Ok(Self {
+            omegas_sr: context.storage("captured solid angles", &omegas_sr)?,
+            source_count: sources.len() as u32,
+            sources: context.storage("classic_envmap sources", &sources)?,
+            directions: context.storage("classic_envmap directions", &directions)?,
+        })
+    }
 }
 
 /// As `Average` in average.wgsl.
@@ -87,14 +117,13 @@ impl Estimator<Gpu> for ClassicEnvmap {
         inputs: &Inputs<'_, Gpu>,
         out: &GpuEstimate,
     ) -> Result<(), EstimatorError> {
-        let glossy = quantity == Quantity::GlossyRadiance;
-        let exponents = match glossy {
-            true => lobe_exponents(inputs)?,
-            false => Vec::new(),
-        };
+        let exponents = lobe_exponents(quantity, inputs, state.exponents.clone())?;
         let stale = inputs.changed.any(Changed::PARAMS | Changed::CAPTURES);
         if stale || state.maps.is_none() || exponents != state.exponents {
-            state.maps = Some(convolve(params, cx, inputs, &exponents)?);
+            let make = || Tables::new(params, cx.context());
+            let tables = state.tables.tables(params, make)?;
+            average(params, cx, inputs, tables)?;
+            state.maps = Some(convolve(params, cx, tables, &exponents)?);
             state.exponents = exponents;
         }
         let maps = state.maps.as_ref().ok_or(EstimatorError::Unprepared)?;
@@ -108,7 +137,10 @@ impl Estimator<Gpu> for ClassicEnvmap {
         let shade = cx.context().uniform("classic_envmap shade", &shade)?;
         let [points, info, estimate] = inputs.points.bindings(out);
         let bindings = [points, info, estimate, (&shade).into(), maps.into()];
-        let entry = if glossy { "glossy" } else { "irradiance" };
+        let entry = match quantity {
+            Quantity::GlossyRadiance => "glossy",
+            _ => "irradiance",
+        };
         state.shade = Some(cx.context().kernel(&SHADE, entry, &bindings)?);
         Ok(())
     }
@@ -127,43 +159,44 @@ impl Estimator<Gpu> for ClassicEnvmap {
     }
 }
 
-/// Records the averaging and the convolutions; returns the buffer of maps that they fill: the
-/// irradiance, then one map for each exponent.
-fn convolve(
+/// Records the averaging of the capture down to the texels.
+fn average(
     params: &ClassicEnvmapParams,
     cx: &mut GpuCx,
     inputs: &Inputs<'_, Gpu>,
-    exponents: &[f32],
-) -> Result<wgpu::Buffer, EstimatorError> {
+    tables: &Tables,
+) -> Result<(), EstimatorError> {
     let captured = inputs.cube(&params.captured())?;
-    let size = captured.spec().size;
     let missing = || EstimatorError::Missing("the radiance of the captured cube".into());
     let radiance = captured.radiance_distance().ok_or_else(missing)?;
-    let context = cx.context().clone();
-    let resolution = params.resolution;
-    let texels = directions(resolution);
-    let sources = context.storage("classic_envmap sources", &texels)?;
-    let average = context.uniform("classic_envmap average", &Average { resolution, size })?;
-    let omegas_sr = context.storage("captured solid angles", &face_solid_angles_sr(size))?;
-    context
-        .kernel(
-            &AVERAGE,
-            "average_radiance",
-            &[
-                (&average).into(),
-                (&sources).into(),
-                radiance.into(),
-                (&omegas_sr).into(),
-            ],
-        )?
-        .record(cx, [(texels.len() as u32).div_ceil(64), 1, 1]);
+    let average = Average {
+        resolution: params.resolution,
+        size: captured.spec().size,
+    };
+    let average = cx.context().uniform("classic_envmap average", &average)?;
+    let bindings = [
+        (&average).into(),
+        (&tables.sources).into(),
+        radiance.into(),
+        (&tables.omegas_sr).into(),
+    ];
+    let kernel = cx
+        .context()
+        .kernel(&AVERAGE, "average_radiance", &bindings)?;
+    kernel.record(cx, [tables.source_count.div_ceil(64), 1, 1]);
+    Ok(())
+}
 
-    let cells = params.map_resolution;
-    let nodes = map_nodes(cells);
-    let directions: Vec<[f32; 4]> = (0..nodes)
-        .map(|i| node_direction(cells, i).extend(0.0).to_array())
-        .collect();
-    let directions = context.storage("classic_envmap directions", &directions)?;
+/// Records the convolutions; returns the buffer of maps that they fill: the irradiance, then one
+/// map for each exponent.
+fn convolve(
+    params: &ClassicEnvmapParams,
+    cx: &mut GpuCx,
+    tables: &Tables,
+    exponents: &[f32],
+) -> Result<wgpu::Buffer, EstimatorError> {
+    let context = cx.context().clone();
+    let nodes = map_nodes(params.map_resolution);
     let maps = (1 + exponents.len()) * nodes;
     let maps = context.storage_zeroed("classic_envmap maps", (maps * 16) as u64)?;
     let lobes = exponents.iter().map(|&e| ("convolve_phong", e));
@@ -174,15 +207,15 @@ fn convolve(
     {
         let uniform = Convolve {
             nodes: nodes as u32,
-            sources: texels.len() as u32,
+            sources: tables.source_count,
             first: (i * nodes) as u32,
             exponent,
         };
         let uniform = context.uniform("classic_envmap convolve", &uniform)?;
         let bindings = [
             (&uniform).into(),
-            (&sources).into(),
-            (&directions).into(),
+            (&tables.sources).into(),
+            (&tables.directions).into(),
             (&maps).into(),
         ];
         let kernel = context.kernel(&CONVOLVE, entry, &bindings)?;

@@ -1,7 +1,7 @@
 //! What a convolution reads and where it is evaluated.
 
 use super::math::{map_nodes, node_direction, texel_vector_sr};
-use crate::averaging::{face_solid_angles_sr, mean_radiance};
+use crate::averaging::mean_radiance;
 use glam::Vec3;
 use interreflect_scene::conventions::CUBE_FACES;
 use interreflect_scene::{CubeImage, Point, PointLayout, Points};
@@ -32,15 +32,18 @@ pub(super) fn directions(resolution: u32) -> Vec<Source> {
         .collect()
 }
 
-/// The texels with the mean radiance of what they cover of the capture.
-pub(super) fn sources(resolution: u32, captured: &CubeImage) -> Vec<Source> {
-    let omegas_sr = face_solid_angles_sr(captured.size);
-    let mut sources = directions(resolution);
+/// Gives texels of a cube of `resolution`² a face the mean radiance of what they cover of the
+/// capture, whose texels have these solid angles.
+pub(super) fn light(
+    sources: &mut [Source],
+    resolution: u32,
+    captured: &CubeImage,
+    omegas_sr: &[f32],
+) {
     for (source, (face, column, row)) in sources.iter_mut().zip(texels(resolution)) {
-        let mean = mean_radiance(captured, &omegas_sr, resolution, face, column, row);
+        let mean = mean_radiance(captured, omegas_sr, resolution, face, column, row);
         source.radiance = mean.to_array();
     }
-    sources
 }
 
 fn texels(resolution: u32) -> impl Iterator<Item = (usize, u32, u32)> {

@@ -8,7 +8,9 @@ mod map;
 pub mod math;
 mod params;
 
-use crate::{EstimatorError, Info, Inputs, Method, OwnModel, Quantity, Unsupported};
+use crate::{
+    Backend, Changed, EstimatorError, Info, Inputs, Method, OwnModel, Quantity, Unsupported,
+};
 use interreflect_scene::{CubeChannels, CubeSpec, Needs, SceneFacts};
 
 pub use params::ClassicEnvmapParams;
@@ -60,8 +62,20 @@ impl ClassicEnvmapParams {
 /// Lobes that one filtered map is kept for.
 pub const MAX_LOBES: usize = 8;
 
-/// The Phong exponents that the points' glossy materials call for, each once, ascending.
-fn lobe_exponents<B: crate::Backend>(inputs: &Inputs<'_, B>) -> Result<Vec<f32>, EstimatorError> {
+/// The Phong exponents that the points' glossy materials call for, each once, ascending; none for
+/// other quantities. `kept` are those of the session's last `prepare`: they hold until the points
+/// change.
+fn lobe_exponents<B: Backend>(
+    quantity: Quantity,
+    inputs: &Inputs<'_, B>,
+    kept: Vec<f32>,
+) -> Result<Vec<f32>, EstimatorError> {
+    if quantity != Quantity::GlossyRadiance {
+        return Ok(Vec::new());
+    }
+    if !(kept.is_empty() || inputs.changed.any(Changed::POINTS)) {
+        return Ok(kept);
+    }
     let mut exponents: Vec<f32> = Vec::new();
     for point in inputs.host_points.iter().flatten() {
         let exponent = math::phong_exponent(point.material.shininess);

@@ -3,6 +3,7 @@
 use super::math::{ambient_irradiance, ambient_reflection};
 use super::{ConstantAmbient, ConstantAmbientParams};
 use crate::averaging::{face_solid_angles_sr, mean_radiance};
+use crate::kept::Kept;
 use crate::{Cpu, Estimator, EstimatorError, Inputs, Quantity};
 use glam::Vec3;
 use interreflect_cpu::lane::{WIDTH, Wide};
@@ -10,10 +11,11 @@ use interreflect_cpu::tiles::{CpuCx, PointLanes, TileKernel};
 use interreflect_scene::conventions::CUBE_FACES;
 use interreflect_scene::{Estimate, PointLayout};
 
-/// The mean radiance, kept across frames.
+/// The texels' solid angles and the mean radiance, kept across frames.
 #[derive(Default)]
 pub struct State {
-    radiance: Vec3,
+    omegas_sr: Kept<ConstantAmbientParams, Vec<f32>>,
+    radiance: Option<Vec3>,
 }
 
 impl Estimator<Cpu> for ConstantAmbient {
@@ -28,9 +30,11 @@ impl Estimator<Cpu> for ConstantAmbient {
         _out: &Estimate,
     ) -> Result<(), EstimatorError> {
         let captured = inputs.cube(&params.captured())?;
-        let omegas_sr = face_solid_angles_sr(captured.size);
-        let face = |face| mean_radiance(captured, &omegas_sr, 1, face, 0, 0);
-        state.radiance = (0..CUBE_FACES).map(face).sum::<Vec3>() / CUBE_FACES as f32;
+        let solid_angles = || Ok(face_solid_angles_sr(captured.size));
+        let omegas_sr = state.omegas_sr.tables(params, solid_angles)?;
+        let face = |face| mean_radiance(captured, omegas_sr, 1, face, 0, 0);
+        let sum: Vec3 = (0..CUBE_FACES).map(face).sum();
+        state.radiance = Some(sum / CUBE_FACES as f32);
         Ok(())
     }
 
@@ -42,7 +46,7 @@ impl Estimator<Cpu> for ConstantAmbient {
         inputs: &Inputs<'_, Cpu>,
         out: &mut Estimate,
     ) -> Result<(), EstimatorError> {
-        let radiance = state.radiance.to_array();
+        let radiance = state.radiance.ok_or(EstimatorError::Unprepared)?.to_array();
         match quantity {
             Quantity::GlossyRadiance => cx.for_each_tile(inputs.points, out, &Glossy(radiance)),
             _ => cx.for_each_tile(inputs.points, out, &Diffuse(radiance)),

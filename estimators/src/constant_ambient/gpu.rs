@@ -2,6 +2,7 @@
 
 use super::{ConstantAmbient, ConstantAmbientParams};
 use crate::averaging::face_solid_angles_sr;
+use crate::kept::Kept;
 use crate::{Estimator, EstimatorError, Gpu, Inputs, Quantity};
 use interreflect_gpu::{GpuCx, GpuEstimate, Kernel, Shader, wgsl};
 
@@ -20,9 +21,10 @@ const SHADE: Shader = Shader {
     ],
 };
 
-/// The kernel with its bindings, kept across frames.
+/// The texels' solid angles and the kernel with its bindings, kept across frames.
 #[derive(Default)]
 pub struct State {
+    omegas_sr: Kept<ConstantAmbientParams, wgpu::Buffer>,
     shade: Option<Kernel>,
 }
 
@@ -43,10 +45,12 @@ impl Estimator<Gpu> for ConstantAmbient {
         let missing = || EstimatorError::Missing("the radiance of the captured cube".into());
         let radiance = captured.radiance_distance().ok_or_else(missing)?;
         let context = cx.context().clone();
-        let omegas_sr = face_solid_angles_sr(captured.spec().size);
-        let omegas_sr = context.storage("constant_ambient solid angles", &omegas_sr)?;
+        let omegas_sr = state.omegas_sr.tables(params, || {
+            let omegas_sr = face_solid_angles_sr(captured.spec().size);
+            Ok(context.storage("constant_ambient solid angles", &omegas_sr)?)
+        })?;
         let mean = context.storage_zeroed("constant_ambient mean", 16)?;
-        let bindings = [radiance.into(), (&omegas_sr).into(), (&mean).into()];
+        let bindings = [radiance.into(), (&*omegas_sr).into(), (&mean).into()];
         let average = context.kernel(&AVERAGE, "mean_radiance", &bindings)?;
         average.record(cx, [1, 1, 1]);
 

@@ -6,16 +6,19 @@ use super::math::{
 };
 use super::texels::{Texel, texels};
 use super::{LocalizedCubemap, LocalizedCubemapParams};
+use crate::averaging::face_solid_angles_sr;
+use crate::kept::Kept;
 use crate::{Changed, Cpu, Estimator, EstimatorError, Inputs, Quantity};
 use interreflect_cpu::lane::{Lane, Vector, Wide};
 use interreflect_cpu::tiles::{CpuCx, PointLanes, TileKernel};
 use interreflect_scene::params::Fidelity;
 use interreflect_scene::{Estimate, PointLayout};
 
-/// The texels, kept across frames.
+/// Solid angles of the captured texels, and the texels, kept across frames.
 #[derive(Default)]
 pub struct State {
-    texels: Vec<Texel>,
+    omegas_sr: Kept<LocalizedCubemapParams, Vec<f32>>,
+    texels: Option<Vec<Texel>>,
 }
 
 impl Estimator<Cpu> for LocalizedCubemap {
@@ -29,9 +32,16 @@ impl Estimator<Cpu> for LocalizedCubemap {
         inputs: &Inputs<'_, Cpu>,
         _out: &Estimate,
     ) -> Result<(), EstimatorError> {
-        if inputs.changed.any(Changed::PARAMS | Changed::CAPTURES) {
+        let stale = inputs.changed.any(Changed::PARAMS | Changed::CAPTURES);
+        if stale || state.texels.is_none() {
             let captured = inputs.cube(&params.captured(&inputs.scene))?;
-            state.texels = texels(params, captured);
+            let omegas_sr = state.omegas_sr.tables(params, || {
+                Ok(match params.fidelity {
+                    Fidelity::Published => Vec::new(),
+                    Fidelity::Corrected => face_solid_angles_sr(captured.size),
+                })
+            })?;
+            state.texels = Some(texels(params, omegas_sr, captured));
         }
         Ok(())
     }
@@ -44,8 +54,9 @@ impl Estimator<Cpu> for LocalizedCubemap {
         inputs: &Inputs<'_, Cpu>,
         out: &mut Estimate,
     ) -> Result<(), EstimatorError> {
+        let texels = state.texels.as_ref().ok_or(EstimatorError::Unprepared)?;
         let sum = Sum {
-            texels: &state.texels,
+            texels,
             origin: inputs.reference_point.to_array(),
         };
         let points = inputs.points;

@@ -4,6 +4,7 @@ use super::params::SolidAngle;
 use super::texels::Texel;
 use super::{LocalizedCubemap, LocalizedCubemapParams};
 use crate::averaging::face_solid_angles_sr;
+use crate::kept::Kept;
 use crate::{Changed, Estimator, EstimatorError, Gpu, Inputs, LOBE_POWER, Quantity};
 use interreflect_gpu::{Binding, GpuContext, GpuCx, GpuEstimate, Kernel, Shader, wgsl};
 use interreflect_scene::CubeSpec;
@@ -55,11 +56,19 @@ const SHADE_STORAGE: Shader = Shader {
     ],
 };
 
-/// Texels and kernels, kept across frames.
+/// Solid angles, texels and the kernel, kept across frames.
 #[derive(Default)]
 pub struct State {
+    solid_angles: Kept<LocalizedCubemapParams, SolidAngles>,
     texels: Option<wgpu::Buffer>,
     shade: Option<Kernel>,
+}
+
+/// Solid angles in sr of a face's captured texels and of the texels that they are averaged to;
+/// `corrected` only.
+struct SolidAngles {
+    captured: wgpu::Buffer,
+    texels: wgpu::Buffer,
 }
 
 /// As `Average` in average.wgsl.
@@ -93,8 +102,11 @@ impl Estimator<Gpu> for LocalizedCubemap {
         inputs: &Inputs<'_, Gpu>,
         out: &GpuEstimate,
     ) -> Result<(), EstimatorError> {
-        if inputs.changed.any(Changed::PARAMS | Changed::CAPTURES) {
-            state.texels = Some(average(params, cx, inputs)?);
+        let stale = inputs.changed.any(Changed::PARAMS | Changed::CAPTURES);
+        if stale || state.texels.is_none() {
+            let make = || solid_angles(params, cx.context());
+            let solid_angles = state.solid_angles.tables(params, make)?;
+            state.texels = Some(average(params, cx, inputs, solid_angles)?);
         }
         let texels = state.texels.as_ref().ok_or(EstimatorError::Unprepared)?;
         let context = cx.context();
@@ -137,11 +149,29 @@ impl LocalizedCubemapParams {
     }
 }
 
+/// Uploads the solid angles that the averaging reads.
+fn solid_angles(
+    params: &LocalizedCubemapParams,
+    context: &GpuContext,
+) -> Result<SolidAngles, EstimatorError> {
+    let of_face = |size| match params.fidelity {
+        Fidelity::Published => vec![0.0],
+        Fidelity::Corrected => face_solid_angles_sr(size),
+    };
+    let captured = of_face(params.capture_size());
+    let texels = of_face(params.resolution);
+    Ok(SolidAngles {
+        captured: context.storage("captured solid angles", &captured)?,
+        texels: context.storage("texel solid angles", &texels)?,
+    })
+}
+
 /// Records the averaging of the captures and returns the buffer of texels that it fills.
 fn average(
     params: &LocalizedCubemapParams,
     cx: &mut GpuCx,
     inputs: &Inputs<'_, Gpu>,
+    solid_angles: &SolidAngles,
 ) -> Result<wgpu::Buffer, EstimatorError> {
     let captured = inputs.cube(&params.captured(&inputs.scene))?;
     let CubeSpec { size, channels } = captured.spec();
@@ -156,24 +186,18 @@ fn average(
         located: u32::from(channels.distance),
     };
     let average = context.uniform("localized_cubemap average", &average)?;
-    let (entry, omegas, texel_omegas) = match params.fidelity {
-        Fidelity::Published => ("average_published", vec![0.0], vec![0.0]),
-        Fidelity::Corrected => (
-            "average_corrected",
-            face_solid_angles_sr(size),
-            face_solid_angles_sr(params.resolution),
-        ),
+    let entry = match params.fidelity {
+        Fidelity::Published => "average_published",
+        Fidelity::Corrected => "average_corrected",
     };
-    let omegas = context.storage("captured solid angles", &omegas)?;
-    let texel_omegas = context.storage("texel solid angles", &texel_omegas)?;
     // A cube without normals has no place either: the shader does not look at them then.
     let normal = captured.normal().unwrap_or(radiance);
     let bindings: [Binding<'_>; 6] = [
         (&average).into(),
         (&texels).into(),
         radiance.into(),
-        (&omegas).into(),
-        (&texel_omegas).into(),
+        (&solid_angles.captured).into(),
+        (&solid_angles.texels).into(),
         normal.into(),
     ];
     let kernel = context.kernel(&AVERAGE, entry, &bindings)?;

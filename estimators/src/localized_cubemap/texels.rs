@@ -2,7 +2,7 @@
 
 use super::math::{disc_area, texel_omega_shader, texel_omega_text};
 use super::params::{LocalizedCubemapParams, SolidAngle};
-use crate::averaging::{covered, face_solid_angles_sr, mean_radiance};
+use crate::averaging::{covered, mean_radiance};
 use glam::{DVec3, Vec3};
 use interreflect_scene::CubeImage;
 use interreflect_scene::conventions::{
@@ -36,13 +36,14 @@ pub(super) const EDGE_ON: f64 = 1e-6;
 
 /// Averages the captures down to the texels of `params`, in the order of texel indices.
 ///
-/// A cube without distances is at infinity.
-pub(super) fn texels(params: &LocalizedCubemapParams, captured: &CubeImage) -> Vec<Texel> {
+/// `omegas_sr`: solid angles of the captured texels of a face; `corrected` only. A cube without
+/// distances is at infinity.
+pub(super) fn texels(
+    params: &LocalizedCubemapParams,
+    omegas_sr: &[f32],
+    captured: &CubeImage,
+) -> Vec<Texel> {
     let m = params.resolution;
-    let omegas_sr = match params.fidelity {
-        Fidelity::Published => Vec::new(),
-        Fidelity::Corrected => face_solid_angles_sr(captured.size),
-    };
     let mut texels = Vec::with_capacity(CUBE_FACES * (m * m) as usize);
     for face in 0..CUBE_FACES {
         for row in 0..m {
@@ -50,7 +51,7 @@ pub(super) fn texels(params: &LocalizedCubemapParams, captured: &CubeImage) -> V
                 texels.push(match params.fidelity {
                     Fidelity::Published => published(params, captured, face, column, row),
                     Fidelity::Corrected => {
-                        let radiance = mean_radiance(captured, &omegas_sr, m, face, column, row);
+                        let radiance = mean_radiance(captured, omegas_sr, m, face, column, row);
                         corrected(radiance, m, captured, face, column, row)
                     }
                 });

@@ -3,9 +3,7 @@
 use crate::{Case, ensure};
 use glam::{DVec3, Vec3, Vec4};
 use interreflect_gpu::{Binding, GpuContext, GpuError, GpuEstimate, GpuPoints, Shader, wgsl};
-use interreflect_scene::{
-    LANES, Point, PointLayout, Points, SurfaceMaterial, conventions, material,
-};
+use interreflect_scene::{LANES, Point, PointLayout, Points, SurfaceMaterial, conventions};
 use libtest_mimic::Failed;
 use std::sync::Arc;
 
@@ -17,10 +15,6 @@ pub(crate) const CASES: &[Case] = &[
     (
         "compute::cube_functions_match_the_host",
         cube_functions_match_the_host,
-    ),
-    (
-        "compute::normalisation_matches_the_host",
-        normalisation_matches_the_host,
     ),
     (
         "compute::split_orders_writes_and_work",
@@ -141,28 +135,6 @@ fn close(a: DVec3, b: DVec3, tolerance: f64) -> bool {
     (a - b).abs().max_element() <= tolerance
 }
 
-fn normalisation_matches_the_host(context: &Arc<GpuContext>) -> Result<(), Failed> {
-    let shininess = [0.0_f32, 0.5, 1.0, 5.0, 20.0, 300.0, 1e4];
-    let values = context.storage("shininess", &shininess)?;
-    let kernel = context.kernel(
-        &CUBE,
-        "normalisation",
-        &[Binding::None, Binding::Buffer(&values)],
-    )?;
-    context.record("normalisation", |cx| {
-        kernel.record(cx, [shininess.len() as u32, 1, 1]);
-        Ok::<_, GpuError>(())
-    })?;
-    let found: Vec<f32> = context.read_buffer(&values)?;
-    for (n, found) in shininess.into_iter().zip(found) {
-        let expected = material::blinn_phong_normalisation(f64::from(n));
-        let error = (f64::from(found) / expected - 1.0).abs();
-        // exp2 is good to 3 + 2|x| roundings, and its value counts for |x| < 10 only.
-        ensure!(error < 3e-6, "n = {n}: {found} instead of {expected}");
-    }
-    Ok(())
-}
-
 fn split_orders_writes_and_work(context: &Arc<GpuContext>) -> Result<(), Failed> {
     let sum = context.storage("sum", &[0_u32; 4])?;
     let step = context.uniform("step", &[1_u32, 0, 0, 0])?;
@@ -197,7 +169,7 @@ fn pipelines_are_built_once(context: &Arc<GpuContext>) -> Result<(), Failed> {
     let context = GpuContext::from_device(context.device().clone(), context.queue().clone());
     let buffer = context.storage_zeroed("out", 64)?;
     for _ in 0..3 {
-        context.kernel(&CUBE, "normalisation", &[Binding::None, (&buffer).into()])?;
+        context.kernel(&CUBE, "constant", &[Binding::None, (&buffer).into()])?;
     }
     let stats = context.cache_stats();
     ensure!(stats.misses == 1 && stats.ms > 0.0, "{stats:?}");

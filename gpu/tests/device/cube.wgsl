@@ -29,11 +29,6 @@ fn texels(@builtin(workgroup_id) texel: vec3u, @builtin(num_workgroups) counts: 
 }
 
 @compute @workgroup_size(1)
-fn normalisation(@builtin(workgroup_id) index: vec3u) {
-    values[index.x] = blinn_phong_normalisation(values[index.x]);
-}
-
-@compute @workgroup_size(1)
 fn constant() {
     values[0] = 2.0 * factor;
 }

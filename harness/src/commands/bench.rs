@@ -6,12 +6,11 @@ use crate::cli::Bench;
 use crate::error::HarnessError;
 use crate::gallery::Gallery;
 use crate::lab::{Lab, Loaded};
-use crate::measure::{Measured, measure};
 use crate::output::{ensure_writable, write_json};
 use crate::progress;
-use crate::record::{Backend, Comparison, Results, Run, TimeSource};
+use crate::record::{Backend, Comparison, Results, Run};
 use crate::report::Report;
-use crate::stage::{CpuStage, GpuStage, Stage};
+use crate::stages::{Stages, Timed};
 use crate::truth::References;
 use crate::view::View;
 use interreflect_estimators::{Configured, EstimatorError, OwnModel, Quantity, Registry};
@@ -123,7 +122,7 @@ impl<'a> Benching<'a> {
 
     fn scene(&mut self, loaded: Loaded) -> Result<(), HarnessError> {
         let scene = loaded.cpu.clone();
-        let stages = Stages::new(&self.lab, loaded);
+        let stages = Stages::new(&self.lab.cpu, loaded);
         let count = self.command.points.unwrap_or(POINTS);
         let camera = scene.scene().camera;
         let view = self
@@ -155,10 +154,14 @@ impl<'a> Benching<'a> {
                 for &backend in backends {
                     bar.set_message(method.info().id);
                     let repeat = self.command.repeat.unwrap_or(REPEAT);
-                    let measured = stages.measure(backend, &**method, quantity, &points, repeat);
+                    let on_backend = stages.measure(backend, &**method, quantity, &points, repeat);
                     let mut run = record(&name, &**method, quantity, backend, points.len());
-                    match measured {
-                        Ok((measured, time_source, software)) => {
+                    match on_backend {
+                        Ok(Timed {
+                            measured,
+                            time_source,
+                            software,
+                        }) => {
                             let model = method.model(quantity);
                             let [own, truth] = references.compare(&measured.estimate, model);
                             (run.own_model, run.own_model_missing) = either(own);
@@ -278,55 +281,6 @@ fn variants(
         set.map(|()| variant).map_err(error)
     });
     variants.collect()
-}
-
-/// A scene on the backends that there are.
-struct Stages<'a> {
-    cpu: CpuStage<'a>,
-    gpu: Result<GpuStage, String>,
-}
-
-impl<'a> Stages<'a> {
-    fn new(lab: &'a Lab, loaded: Loaded) -> Self {
-        let cpu = CpuStage {
-            cx: &lab.cpu,
-            scene: loaded.cpu,
-        };
-        let gpu = match loaded.gpu {
-            Some(Ok((context, scene))) => Ok(GpuStage::new(context, scene)),
-            Some(Err(error)) => Err(error.to_string()),
-            None => Err("the GPU was not asked for".into()),
-        };
-        Self { cpu, gpu }
-    }
-
-    fn measure(
-        &self,
-        backend: Backend,
-        method: &dyn Configured,
-        quantity: Quantity,
-        points: &interreflect_scene::Points,
-        repeat: usize,
-    ) -> Result<(Measured, TimeSource, bool), HarnessError> {
-        let scene = self.cpu.scene.scene();
-        match backend {
-            Backend::Cpu => {
-                let measured = measure(&self.cpu, scene, method, quantity, points, repeat)?;
-                Ok((measured, TimeSource::WallClock, false))
-            }
-            Backend::Gpu => {
-                let stage = self.gpu.as_ref();
-                let stage =
-                    stage.map_err(|why| interreflect_estimators::Unsupported(why.clone()))?;
-                let measured = measure(stage, scene, method, quantity, points, repeat)?;
-                let source = match stage.device_clock() {
-                    true => TimeSource::GpuTimestamps,
-                    false => TimeSource::WallClock,
-                };
-                Ok((measured, source, stage.context.info().software))
-            }
-        }
-    }
 }
 
 fn record(

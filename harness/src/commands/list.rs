@@ -17,7 +17,7 @@ pub(super) fn run(command: &List, registry: Registry) -> Result<(), HarnessError
         false => None,
     };
     if command.json {
-        return print_json(&as_json(&methods, needs));
+        return print_json(&as_json(&registry, &methods, needs));
     }
     print_line("Scenes")?;
     for scene in library() {
@@ -33,10 +33,7 @@ pub(super) fn run(command: &List, registry: Registry) -> Result<(), HarnessError
             info.id, info.title, info.source
         ))?;
         let quantities: Vec<_> = method.quantities().iter().map(|q| q.name()).collect();
-        let backends = match method.on_cpu().is_ok() && has_gpu(&registry, info.id) {
-            true => "cpu, gpu",
-            false => "cpu",
-        };
+        let backends = backends(&registry, info.id).join(", ");
         print_line(&format!("      {} on {backends}", quantities.join(", ")))?;
         print_fields("", &method.values())?;
     }
@@ -61,8 +58,10 @@ pub(super) fn run(command: &List, registry: Registry) -> Result<(), HarnessError
     Ok(())
 }
 
-fn has_gpu(registry: &Registry, id: &str) -> bool {
-    registry.get(id).is_ok_and(|e| !e.shaders().is_empty())
+/// The backends that a method runs on.
+fn backends(registry: &Registry, id: &str) -> Vec<&'static str> {
+    let gpu = registry.get(id).is_ok_and(|entry| entry.gpu().is_ok());
+    if gpu { vec!["cpu", "gpu"] } else { vec!["cpu"] }
 }
 
 fn print_fields(prefix: &str, fields: &[(FieldInfo, Value)]) -> Result<(), HarnessError> {
@@ -124,7 +123,11 @@ fn describe(needs: &Needs) -> String {
     parts.join(", ")
 }
 
-fn as_json(methods: &[Box<dyn Configured>], needs: Option<Vec<Needed>>) -> Json {
+fn as_json(
+    registry: &Registry,
+    methods: &[Box<dyn Configured>],
+    needs: Option<Vec<Needed>>,
+) -> Json {
     let fields = |fields: Vec<(FieldInfo, Value)>| -> Json {
         let of = |(f, v): (FieldInfo, Value)| {
             json!({"name": f.name, "symbol": f.symbol, "unit": f.unit, "doc": f.doc,
@@ -141,7 +144,7 @@ fn as_json(methods: &[Box<dyn Configured>], needs: Option<Vec<Needed>>) -> Json 
         .map(|m| {
             let quantities: Vec<_> = m.quantities().iter().map(|q| q.name()).collect();
             json!({"id": m.info().id, "title": m.info().title, "source": m.info().source,
-                   "quantities": quantities, "params": fields(m.values())})
+                   "quantities": quantities, "backends": backends(registry, m.info().id), "params": fields(m.values())})
         })
         .collect();
     let adapters: Vec<_> = interreflect_gpu::adapters()

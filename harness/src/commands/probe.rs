@@ -4,10 +4,9 @@ use super::{print_json, print_line};
 use crate::cli::Probe;
 use crate::error::HarnessError;
 use crate::lab::Lab;
-use crate::measure::measure;
 use crate::output::write_json;
 use crate::record::Backend;
-use crate::stage::{CpuStage, GpuStage};
+use crate::stages::{Stages, Timed};
 use glam::Vec3;
 use interreflect_estimators::{Configured, Quantity, Registry};
 use interreflect_scene::load::open_points;
@@ -39,24 +38,12 @@ pub(super) fn run(command: &Probe, registry: Registry) -> Result<(), HarnessErro
         &command.settings,
         gpu,
     )?;
-    let scene = loaded.cpu.scene();
-    let measured = match loaded.gpu {
-        Some(gpu) => {
-            let (context, on_gpu) = gpu?;
-            let stage = GpuStage::new(context, on_gpu);
-            measure(&stage, scene, &*method, quantity, &points, 0)?
-        }
-        None => {
-            let stage = CpuStage {
-                cx: &lab.cpu,
-                scene: loaded.cpu.clone(),
-            };
-            measure(&stage, scene, &*method, quantity, &points, 0)?
-        }
-    };
+    let stages = Stages::new(&lab.cpu, loaded.complete()?);
+    let backend = command.backend;
+    let Timed { measured, .. } = stages.measure(backend, &*method, quantity, &points, 0)?;
     let probed = Probed {
         estimator: method.info().id,
-        backend: command.backend,
+        backend,
         quantity: quantity.name(),
         values: measured.estimate.iter().map(|v| v.to_array()).collect(),
     };

@@ -4,10 +4,9 @@ use super::{print_json, print_line};
 use crate::cli::Render;
 use crate::error::HarnessError;
 use crate::lab::Lab;
-use crate::measure::{Measured, measure};
 use crate::output::{Exposure, HdrImage, write_exr, write_png};
 use crate::record::{Backend, Phases};
-use crate::stage::{CpuStage, GpuStage};
+use crate::stages::{Stages, Timed};
 use crate::view::View;
 use glam::Vec3;
 use interreflect_estimators::{Configured, Quantity, Registry};
@@ -52,21 +51,12 @@ pub(super) fn run(command: &Render, registry: Registry) -> Result<(), HarnessErr
     let view = lab.cpu.install(|| View::new(&scene, &camera))?;
     let points = view.points(shown.quantity().layout());
     let materials = view.points(PointLayout::Material);
-    let mut gpu_stage = match loaded.gpu {
-        Some(gpu) => {
-            let (context, scene) = gpu?;
-            Some(GpuStage::new(context, scene))
-        }
-        None => None,
-    };
+    let stages = Stages::new(&lab.cpu, loaded.complete()?);
     let mut rendered = Vec::new();
     for &backend in command.backend.list() {
-        let stage = match backend {
-            Backend::Gpu => gpu_stage.take(),
-            Backend::Cpu => None,
-        };
-        let software = stage.as_ref().is_some_and(|s| s.context.info().software);
-        let measured = estimate(&lab, stage, &scene, &*method, shown.quantity(), &points)?;
+        let Timed {
+            measured, software, ..
+        } = stages.measure(backend, &*method, shown.quantity(), &points, 1)?;
         let image = shown.image(&view, &materials, &measured.estimate);
         let fidelity = method
             .fidelity()
@@ -110,31 +100,12 @@ pub(super) fn run(command: &Render, registry: Registry) -> Result<(), HarnessErr
             ""
         };
         print_line(&format!(
-            "{}  {ms:.1} ms a frame{software}",
-            r.png.display()
+            "{}  {} points, {ms:.1} ms a frame{software}",
+            r.png.display(),
+            r.points
         ))?;
     }
     Ok(())
-}
-
-fn estimate(
-    lab: &Lab,
-    gpu: Option<GpuStage>,
-    scene: &std::sync::Arc<interreflect_cpu::scene::CpuScene>,
-    method: &dyn Configured,
-    quantity: Quantity,
-    points: &Points,
-) -> Result<Measured, HarnessError> {
-    match gpu {
-        Some(stage) => measure(&stage, scene.scene(), method, quantity, points, 1),
-        None => {
-            let stage = CpuStage {
-                cx: &lab.cpu,
-                scene: scene.clone(),
-            };
-            measure(&stage, scene.scene(), method, quantity, points, 1)
-        }
-    }
 }
 
 fn resized(scene: &Scene, command: &Render) -> Camera {

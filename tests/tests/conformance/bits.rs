@@ -1,12 +1,14 @@
 //! Results have the same bits for any order of the points, on the CPU also for any number of
-//! threads and any instruction set.
+//! threads and any instruction set, and however often a session was prepared.
 
 use crate::ensure;
 use crate::subjects::{SUBJECTS, Subject};
-use crate::world::{Outcome, Variant, gpu_stage, on_gpu, run, variants};
+use crate::world::{
+    Outcome, Variant, captures, cpu_stage, estimate, gpu_stage, on_gpu, run, variants,
+};
 use interreflect::stage::{CpuStage, Stage};
 use interreflect_cpu::tiles::{CpuCx, InstructionSet};
-use interreflect_estimators::Registry;
+use interreflect_estimators::{Changed, Inputs};
 use interreflect_scene::params::Choice;
 use interreflect_scene::{Estimate, Point, Points};
 use libtest_mimic::Trial;
@@ -18,14 +20,15 @@ pub(crate) fn trials() -> Vec<Trial> {
             let name = format!("bits/{}/{}", subject.name, variant.name());
             let one = variant.copy();
             trials.push(Trial::test(format!("{name}/cpu"), move || {
-                threads_and_instructions(subject, &one)
+                threads_and_instructions(subject, &one)?;
+                prepared_again(&cpu_stage(subject), subject, &one)
             }));
-            let registry = Registry::builtin();
-            let entry = registry.get(variant.method.info().id);
-            if entry.is_ok_and(|e| !e.shaders().is_empty()) {
+            if variant.gpu().is_ok() {
                 let one = variant.copy();
                 trials.push(on_gpu(format!("{name}/gpu"), move |context| {
-                    any_order(&gpu_stage(context, subject)?, subject, &one)
+                    let stage = gpu_stage(context, subject)?;
+                    any_order(&stage, subject, &one)?;
+                    prepared_again(&stage, subject, &one)
                 }));
             }
         }
@@ -79,6 +82,31 @@ fn any_order<S: Stage>(stage: &S, subject: &Subject, variant: &Variant) -> Outco
     let mut backward: Vec<_> = backward.iter().collect();
     backward.reverse();
     Ok(same_bits(&forward, backward.into_iter()).map_err(|e| format!("points reversed: {e}"))?)
+}
+
+/// A session prepared again for captures alone gives what it gave at first.
+fn prepared_again<S: Stage>(stage: &S, subject: &Subject, variant: &Variant) -> Outcome {
+    let (scene, quantity) = (subject.cpu.scene(), variant.quantity);
+    let points = subject.points(quantity.layout());
+    let captures = captures(stage, subject, variant)?;
+    let first = estimate(stage, subject, variant, &captures, &points)?;
+    let needs = variant.method.needs(quantity, &scene.facts())?;
+    let mut session = stage.open(&*variant.method)?;
+    let mut placed = stage.place(&points)?;
+    let origin = (scene.facts(), scene.reference_point);
+    let view = |changed| Inputs::new(&needs, &captures, &placed.points, &points, origin, changed);
+    for changed in [Changed::ALL, Changed::CAPTURES] {
+        let inputs = view(changed);
+        stage.timed("prepare", &mut |cx| {
+            session.prepare(cx, quantity, &inputs, &placed.out)
+        })?;
+    }
+    let inputs = view(Changed::default());
+    stage.timed("shade", &mut |cx| {
+        session.shade(cx, quantity, &inputs, &mut placed.out)
+    })?;
+    let again = stage.read_back(&placed.out)?.0;
+    Ok(same_bits(&first, again.iter()).map_err(|e| format!("prepared again: {e}"))?)
 }
 
 fn same_bits(a: &Estimate, b: impl Iterator<Item = glam::Vec3>) -> Result<(), String> {

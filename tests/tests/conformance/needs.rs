@@ -1,8 +1,8 @@
-//! What a method declares is what it reads.
+//! What a method declares is what it reads, and it shades nothing before it has read it.
 
 use crate::ensure;
 use crate::subjects::{SUBJECTS, Subject};
-use crate::world::{Outcome, Variant, cpu_stage, gpu_stage, ignored, on_gpu, variants};
+use crate::world::{Outcome, Variant, captures, cpu_stage, gpu_stage, ignored, on_gpu, variants};
 use interreflect::measure::measure;
 use interreflect::stage::{Placed, Stage};
 use interreflect_estimators::{Captures, Changed, EstimatorError, Inputs};
@@ -17,7 +17,8 @@ pub(crate) fn trials() -> Vec<Trial> {
             let one = variant.copy();
             trials.push(Trial::test(format!("{name}/cpu"), move || {
                 all_read(&cpu_stage(subject), subject, &one)?;
-                nothing_else(&cpu_stage(subject), subject, &one)
+                nothing_else(&cpu_stage(subject), subject, &one)?;
+                unprepared(&cpu_stage(subject), subject, &one)
             }));
             let (name, one) = (format!("{name}/gpu"), variant.copy());
             trials.push(on_gpu_or_why_not(name, subject, one));
@@ -28,14 +29,13 @@ pub(crate) fn trials() -> Vec<Trial> {
 
 /// A method without an implementation on the device says why, and never anything else.
 fn on_gpu_or_why_not(name: String, subject: &'static Subject, variant: Variant) -> Trial {
-    let shaderless = interreflect_estimators::Registry::builtin()
-        .get(variant.method.info().id)
-        .is_ok_and(|entry| entry.shaders().is_empty());
-    if shaderless {
-        return ignored(name, "runs on the CPU only");
+    if let Err(why) = variant.gpu() {
+        return ignored(name, why);
     }
     on_gpu(name, move |context| {
-        all_read(&gpu_stage(context, subject)?, subject, &variant)
+        let stage = gpu_stage(context, subject)?;
+        all_read(&stage, subject, &variant)?;
+        unprepared(&stage, subject, &variant)
     })
 }
 
@@ -95,6 +95,34 @@ fn nothing_else<S: Stage>(stage: &S, subject: &Subject, variant: &Variant) -> Ou
         inputs.read()
     );
     Ok(())
+}
+
+/// A session that was not prepared says so. One without a state, which traces the scene itself, may
+/// answer.
+fn unprepared<S: Stage>(stage: &S, subject: &Subject, variant: &Variant) -> Outcome {
+    let captures = captures(stage, subject, variant)?;
+    let scene = subject.cpu.scene();
+    let facts = scene.facts();
+    let declared = variant.method.needs(variant.quantity, &facts)?;
+    if declared.light_transport {
+        return Ok(());
+    }
+    let points = subject.points(variant.quantity.layout());
+    let Placed {
+        points: placed,
+        mut out,
+    } = stage.place(&points)?;
+    let origin = (facts, scene.reference_point);
+    let inputs = Inputs::new(&declared, &captures, &placed, &points, origin, Changed::ALL);
+    let mut session = stage.open(&*variant.method)?;
+    let shaded = stage.timed("shade", &mut |cx| {
+        session.shade(cx, variant.quantity, &inputs, &mut out)
+    });
+    match shaded {
+        Err(EstimatorError::Unprepared) => Ok(()),
+        Err(other) => Err(format!("unprepared, it fails with another reason: {other}").into()),
+        Ok(_) => Err("it shades without having been prepared".into()),
+    }
 }
 
 fn refused<T>(read: Result<T, EstimatorError>) -> Result<(), Failed> {

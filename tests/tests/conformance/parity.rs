@@ -6,7 +6,7 @@ use crate::world::{
     Outcome, Variant, captures, cpu_stage, estimate, gpu_stage, ignored, on_gpu, variants,
 };
 use interreflect_conformance::tolerance::Tolerance;
-use interreflect_estimators::{Captures, Cpu, Gpu, Registry};
+use interreflect_estimators::{Captures, Cpu, Gpu};
 use interreflect_gpu::{GpuContext, GpuCube};
 use interreflect_scene::conventions::{CUBE_FACES, texel_index, texel_solid_angle_sr};
 use interreflect_scene::{CubeImage, Estimate};
@@ -15,14 +15,11 @@ use std::sync::Arc;
 
 pub(crate) fn trials() -> Vec<Trial> {
     let mut trials = Vec::new();
-    let registry = Registry::builtin();
     for variant in variants(128) {
-        let entry = registry.get(variant.method.info().id);
-        let on_both = entry.is_ok_and(|e| !e.shaders().is_empty());
         for subject in &SUBJECTS {
             let name = format!("parity/{}/{}", subject.name, variant.name());
-            if !on_both {
-                trials.push(ignored(name, "runs on the CPU only"));
+            if let Err(why) = variant.gpu() {
+                trials.push(ignored(name, why));
                 continue;
             }
             let variant = variant.copy();

@@ -31,7 +31,7 @@ impl Subject {
     fn library(name: &'static str) -> Self {
         let scene = interreflect_scene::open(&SceneRequest::new(name)).expect("a library scene");
         let mut subject = Self::new(name, &scene, Vec::new());
-        let view = View::of_about(&subject.cpu, &scene.camera, 400);
+        let view = View::of_about(&subject.cpu, &scene.camera, 400).expect("a view with points");
         subject.points = view.points(PointLayout::Material).iter().collect();
         subject
     }

@@ -57,6 +57,13 @@ impl Variant {
         )
     }
 
+    /// Whether it runs on the device; if not, why.
+    pub(crate) fn gpu(&self) -> Result<(), &'static str> {
+        let registry = Registry::builtin();
+        let entry = registry.get(self.method.info().id);
+        entry.map_err(|_| "not registered")?.gpu()
+    }
+
     pub(crate) fn copy(&self) -> Self {
         Self {
             method: self.method.boxed_clone(),
@@ -101,10 +108,8 @@ pub(crate) fn cpu_stage(subject: &Subject) -> CpuStage<'static> {
 
 /// A scene on the GPU.
 pub(crate) fn gpu_stage(context: &Arc<GpuContext>, subject: &Subject) -> Result<GpuStage, Failed> {
-    Ok(GpuStage {
-        context: context.clone(),
-        scene: GpuScene::new(context, subject.cpu.scene())?,
-    })
+    let scene = GpuScene::new(context, subject.cpu.scene())?;
+    Ok(GpuStage::new(context.clone(), scene))
 }
 
 /// The captures that a method declares.

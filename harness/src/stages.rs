@@ -1,0 +1,77 @@
+//! A scene on the backends that there are, and a method measured on the one that is asked for.
+
+use crate::error::HarnessError;
+use crate::lab::Loaded;
+use crate::measure::{Measured, measure};
+use crate::record::{Backend, TimeSource};
+use crate::stage::{CpuStage, GpuStage, Stage};
+use interreflect_cpu::tiles::CpuCx;
+use interreflect_estimators::{Configured, Quantity, Unsupported};
+use interreflect_scene::Points;
+
+/// A scene on each backend.
+pub struct Stages<'a> {
+    cpu: CpuStage<'a>,
+    gpu: Result<GpuStage, Unsupported>,
+}
+
+/// A measurement with what its times mean.
+pub struct Timed {
+    /// The estimate and its times.
+    pub measured: Measured,
+    /// By which clock.
+    pub time_source: TimeSource,
+    /// On an adapter that runs on the CPU.
+    pub software: bool,
+}
+
+impl<'a> Stages<'a> {
+    /// Takes over a loaded scene; a GPU that is not there is found out when it is asked for.
+    pub fn new(cx: &'a CpuCx, loaded: Loaded) -> Self {
+        let gpu = match loaded.gpu {
+            Some(Ok((context, scene))) => Ok(GpuStage::new(context, scene)),
+            Some(Err(error)) => Err(Unsupported(error.to_string())),
+            None => Err(Unsupported("the GPU was not asked for".into())),
+        };
+        Self {
+            cpu: CpuStage {
+                cx,
+                scene: loaded.cpu,
+            },
+            gpu,
+        }
+    }
+
+    /// Runs a method as [`measure`] does.
+    ///
+    /// # Errors
+    /// [`HarnessError`] as there, or if there is no GPU.
+    pub fn measure(
+        &self,
+        backend: Backend,
+        method: &dyn Configured,
+        quantity: Quantity,
+        points: &Points,
+        repeat: usize,
+    ) -> Result<Timed, HarnessError> {
+        let scene = self.cpu.scene.scene();
+        match backend {
+            Backend::Cpu => Ok(Timed {
+                measured: measure(&self.cpu, scene, method, quantity, points, repeat)?,
+                time_source: TimeSource::WallClock,
+                software: false,
+            }),
+            Backend::Gpu => {
+                let stage = self.gpu.as_ref().map_err(Clone::clone)?;
+                Ok(Timed {
+                    measured: measure(stage, scene, method, quantity, points, repeat)?,
+                    time_source: match stage.device_clock() {
+                        true => TimeSource::GpuTimestamps,
+                        false => TimeSource::WallClock,
+                    },
+                    software: stage.context.info().software,
+                })
+            }
+        }
+    }
+}
