@@ -12,7 +12,6 @@ use interreflect_estimators::{
     Changed, Configured, EstimatorError, Inputs, Quantity, Registry, Unsupported,
 };
 use interreflect_gpu::{GpuContext, GpuScene};
-use interreflect_scene::params::{Choice, FIDELITY, Fidelity};
 use interreflect_scene::{
     CubeChannels, CubeSpec, Needs, Point, PointLayout, Points, SceneRequest, open,
 };
@@ -77,15 +76,10 @@ fn variants() -> Vec<(String, Box<dyn Configured>)> {
         let mut method = entry.configure();
         // One that samples takes its time for each sample: the least shows it.
         method.set("samples", "1").ok();
-        if method.fidelity().is_none() {
-            variants.push((id.to_owned(), method));
-            continue;
-        }
-        for (fidelity, _) in Fidelity::ALL {
-            let mut method = method.boxed_clone();
-            method.set(FIDELITY, fidelity).expect("a fidelity");
-            variants.push((format!("{id}.{fidelity}"), method));
-        }
+        variants.extend(method.in_each_fidelity().into_iter().map(|method| {
+            let fidelity = method.fidelity().map(|f| format!(".{f}"));
+            (format!("{id}{}", fidelity.unwrap_or_default()), method)
+        }));
     }
     variants
 }

@@ -6,7 +6,7 @@ use crate::method::{Estimator, Info, Method};
 use crate::model::OwnModel;
 use crate::quantity::Quantity;
 use interreflect_gpu::{GpuContext, Shader};
-use interreflect_scene::params::{self, FIDELITY, FieldInfo, ParamError, Value};
+use interreflect_scene::params::{self, Choice, FIDELITY, Fidelity, FieldInfo, ParamError, Value};
 use interreflect_scene::{Needs, SceneFacts};
 
 /// A method with its parameters, its types erased.
@@ -41,6 +41,18 @@ pub trait Configured: Send + Sync {
     fn on_gpu(&self, context: &GpuContext) -> Result<Box<dyn Session<Gpu>>, Unsupported>;
     /// A copy.
     fn boxed_clone(&self) -> Box<dyn Configured>;
+
+    /// The method once in each of its fidelities, or as it is if it has none.
+    fn in_each_fidelity(&self) -> Vec<Box<dyn Configured>> {
+        if self.fidelity().is_none() {
+            return vec![self.boxed_clone()];
+        }
+        let variants = Fidelity::ALL.iter().filter_map(|(name, _)| {
+            let mut variant = self.boxed_clone();
+            variant.set(FIDELITY, name).ok().map(|()| variant)
+        });
+        variants.collect()
+    }
 
     /// The value of the parameter [`FIDELITY`], for methods that have it.
     fn fidelity(&self) -> Option<&'static str> {

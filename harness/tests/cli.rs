@@ -1,4 +1,5 @@
 //! The program as others call it: words of its JSON, exit codes, and what it leaves behind.
+//! Long because it is mostly one table of bad usages.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use serde_json::Value;

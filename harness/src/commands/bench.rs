@@ -16,7 +16,7 @@ use crate::view::View;
 use interreflect_estimators::{Configured, EstimatorError, OwnModel, Quantity, Registry};
 use interreflect_gpu::GpuError;
 use interreflect_scene::library::library;
-use interreflect_scene::params::{Choice, FIDELITY, Fidelity};
+use interreflect_scene::params::{Choice, FIDELITY};
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
@@ -268,19 +268,10 @@ fn variants(
         let (owner, name) = s.split();
         name == FIDELITY && owner.is_none_or(|owner| owner == id)
     });
-    if method.fidelity().is_none() || chosen {
+    if chosen {
         return Ok(vec![method]);
     }
-    let variants = Fidelity::ALL.iter().map(|(name, _)| {
-        let mut variant = method.boxed_clone();
-        let set = variant.set(FIDELITY, name);
-        let error = |error| HarnessError::Param {
-            estimator: id.into(),
-            error,
-        };
-        set.map(|()| variant).map_err(error)
-    });
-    variants.collect()
+    Ok(method.in_each_fidelity())
 }
 
 fn record(

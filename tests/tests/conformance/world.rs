@@ -5,7 +5,6 @@ use interreflect::stage::{CpuStage, GpuStage, Placed, Stage};
 use interreflect_cpu::tiles::CpuCx;
 use interreflect_estimators::{Captures, Changed, Configured, Inputs, Quantity, Registry};
 use interreflect_gpu::{GpuContext, GpuError, GpuScene};
-use interreflect_scene::params::{Choice, FIDELITY, Fidelity};
 use interreflect_scene::{Estimate, Points};
 use libtest_mimic::{Failed, Trial};
 use std::sync::{Arc, LazyLock};
@@ -81,14 +80,7 @@ pub(crate) fn variants(captured: u32) -> Vec<Variant> {
         // Not every method has these; those that sample need not sample long here.
         method.set("capture_resolution", &captured.to_string()).ok();
         method.set("samples", "64").ok();
-        let fidelities = match method.fidelity() {
-            Some(_) => Fidelity::ALL.iter().map(|(name, _)| Some(*name)).collect(),
-            None => vec![None],
-        };
-        for fidelity in fidelities {
-            if let Some(fidelity) = fidelity {
-                method.set(FIDELITY, fidelity).expect("a fidelity");
-            }
+        for method in method.in_each_fidelity() {
             variants.extend(method.quantities().iter().map(|&quantity| Variant {
                 method: method.boxed_clone(),
                 quantity,

@@ -1,4 +1,5 @@
 //! The leaf functions and their inputs.
+//! Long because it is one table.
 
 use super::{ARGUMENTS, Call, Twin};
 use interreflect_conformance::tolerance::Tolerance;
