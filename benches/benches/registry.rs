@@ -184,6 +184,7 @@ fn captures(criterion: &mut Criterion) {
                 distance: located,
                 normal: located,
             },
+            bounces: 0,
         };
         let needs = Needs {
             cubes: [spec].into(),

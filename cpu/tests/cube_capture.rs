@@ -19,6 +19,7 @@ fn capture(scene: &CpuScene, size: u32) -> CubeImage {
         CubeSpec {
             size,
             channels: ALL,
+            bounces: 0,
         },
     )
 }
@@ -75,7 +76,11 @@ fn only_the_channels_that_were_asked_for_are_there() {
             distance: bits & 2 != 0,
             normal: bits & 4 != 0,
         };
-        let spec = CubeSpec { size: 8, channels };
+        let spec = CubeSpec {
+            size: 8,
+            channels,
+            bounces: 0,
+        };
         let image = capture_cube(&scene, spec);
         assert!(image.radiance.is_empty() != channels.radiance);
         assert!(channels.radiance == (image.radiance == whole.radiance));

@@ -6,6 +6,7 @@
 mod averaging;
 mod backend;
 mod error;
+mod fields;
 mod kept;
 #[cfg(test)]
 mod layout;

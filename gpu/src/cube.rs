@@ -122,6 +122,7 @@ impl GpuCube {
     pub fn download(&self, context: &GpuContext) -> Result<CubeImage, GpuError> {
         let mut image = CubeImage {
             size: self.spec.size,
+            bounces: self.spec.bounces,
             ..CubeImage::default()
         };
         if let Some(channels) = &self.radiance_distance {

@@ -10,7 +10,7 @@ use interreflect_estimators::{
 };
 use interreflect_scene::conventions::{CUBE_FACES, cube_vector, texel_centre, texel_index};
 use interreflect_scene::params::{Field, Params};
-use interreflect_scene::{CubeChannels, CubeSpec, Estimate, Needs, SceneFacts};
+use interreflect_scene::{CubeSpec, Estimate, Needs, SceneFacts};
 use std::f32::consts::PI;
 use std::process::ExitCode;
 
@@ -46,13 +46,7 @@ impl Params for HemisphereParams {
 }
 
 fn captured(params: &HemisphereParams) -> CubeSpec {
-    CubeSpec {
-        size: params.capture_resolution,
-        channels: CubeChannels {
-            radiance: true,
-            ..CubeChannels::default()
-        },
-    }
+    CubeSpec::of_radiance(params.capture_resolution)
 }
 
 impl Method for HemisphereAmbient {

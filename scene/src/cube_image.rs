@@ -17,6 +17,8 @@ pub struct CubeImage {
     pub distance: Vec<f32>,
     /// Unit normal of the surface, turned to the reference point.
     pub normal: Vec<Vec3>,
+    /// Reflections that the radiance holds beyond that of the lights' light.
+    pub bounces: u32,
 }
 
 impl CubeImage {
@@ -29,6 +31,7 @@ impl CubeImage {
             radiance: vec![Vec3::ZERO; count(spec.channels.radiance)],
             distance: vec![f32::INFINITY; count(spec.channels.distance)],
             normal: vec![Vec3::ZERO; count(spec.channels.normal)],
+            bounces: spec.bounces,
         }
     }
 
@@ -41,6 +44,7 @@ impl CubeImage {
                 distance: !self.distance.is_empty(),
                 normal: !self.normal.is_empty(),
             },
+            bounces: self.bounces,
         }
     }
 

@@ -20,6 +20,23 @@ pub struct CubeSpec {
     pub size: u32,
     /// What each texel holds.
     pub channels: CubeChannels,
+    /// Reflections that captured radiance holds beyond that of the lights' light, from a coarse
+    /// per-vertex solution; 0 without radiance.
+    pub bounces: u32,
+}
+
+impl CubeSpec {
+    /// Radiance alone, of emission and of the lights' light reflected once.
+    pub fn of_radiance(size: u32) -> Self {
+        Self {
+            size,
+            channels: CubeChannels {
+                radiance: true,
+                ..CubeChannels::default()
+            },
+            bounces: 0,
+        }
+    }
 }
 
 /// Everything a method reads beyond its points. A capture that was not declared can't be read;
@@ -45,4 +62,6 @@ pub struct SceneFacts {
     pub emitters: bool,
     /// Some captured surface is a mirror.
     pub mirrors: bool,
+    /// Some shaded surface has a specular lobe.
+    pub speculars: bool,
 }

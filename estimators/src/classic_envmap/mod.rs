@@ -11,7 +11,7 @@ mod params;
 use crate::{
     Backend, Changed, EstimatorError, Info, Inputs, Method, OwnModel, Quantity, Unsupported,
 };
-use interreflect_scene::{CubeChannels, CubeSpec, Needs, SceneFacts};
+use interreflect_scene::{CubeSpec, Needs, SceneFacts};
 
 pub use params::ClassicEnvmapParams;
 
@@ -49,13 +49,7 @@ impl Method for ClassicEnvmap {
 impl ClassicEnvmapParams {
     /// The captured cube: `capture_resolution`, rounded up to a multiple of `resolution`.
     pub fn captured(&self) -> CubeSpec {
-        CubeSpec {
-            size: self.capture_resolution.next_multiple_of(self.resolution),
-            channels: CubeChannels {
-                radiance: true,
-                ..CubeChannels::default()
-            },
-        }
+        CubeSpec::of_radiance(self.capture_resolution.next_multiple_of(self.resolution))
     }
 }
 

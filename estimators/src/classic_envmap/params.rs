@@ -1,3 +1,4 @@
+use crate::fields;
 use interreflect_scene::params::{Field, Params};
 
 /// Parameters of [`super::ClassicEnvmap`].
@@ -36,15 +37,10 @@ impl Params for ClassicEnvmapParams {
             )
             .unit("texels")
             .log(),
-            Field::u32(
-                "capture_resolution",
-                "texels along a face's edge when the environment is captured",
-                1..=1024,
+            fields::capture_resolution(
                 |p: &Self| p.capture_resolution,
                 |p, v| p.capture_resolution = v,
-            )
-            .unit("texels")
-            .log(),
+            ),
             Field::u32(
                 "map_resolution",
                 "cells along a face's edge of the convolved maps",

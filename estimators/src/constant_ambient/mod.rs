@@ -7,7 +7,7 @@ pub mod math;
 mod params;
 
 use crate::{Info, Method, OwnModel, Quantity, Unsupported};
-use interreflect_scene::{CubeChannels, CubeSpec, Needs, SceneFacts};
+use interreflect_scene::{CubeSpec, Needs, SceneFacts};
 
 pub use params::ConstantAmbientParams;
 
@@ -44,12 +44,6 @@ impl Method for ConstantAmbient {
 impl ConstantAmbientParams {
     /// The captured cube.
     fn captured(&self) -> CubeSpec {
-        CubeSpec {
-            size: self.capture_resolution,
-            channels: CubeChannels {
-                radiance: true,
-                ..CubeChannels::default()
-            },
-        }
+        CubeSpec::of_radiance(self.capture_resolution)
     }
 }

@@ -1,3 +1,4 @@
+use crate::fields;
 use interreflect_scene::params::{Field, Params};
 
 /// Parameters of [`super::ConstantAmbient`].
@@ -17,16 +18,9 @@ impl Default for ConstantAmbientParams {
 
 impl Params for ConstantAmbientParams {
     fn fields() -> Vec<Field<Self>> {
-        vec![
-            Field::u32(
-                "capture_resolution",
-                "texels along a face's edge when the environment is captured",
-                1..=1024,
-                |p: &Self| p.capture_resolution,
-                |p, v| p.capture_resolution = v,
-            )
-            .unit("texels")
-            .log(),
-        ]
+        vec![fields::capture_resolution(
+            |p: &Self| p.capture_resolution,
+            |p, v| p.capture_resolution = v,
+        )]
     }
 }

@@ -174,7 +174,7 @@ fn average(
     solid_angles: &SolidAngles,
 ) -> Result<wgpu::Buffer, EstimatorError> {
     let captured = inputs.cube(&params.captured(&inputs.scene))?;
-    let CubeSpec { size, channels } = captured.spec();
+    let CubeSpec { size, channels, .. } = captured.spec();
     let context = cx.context();
     let texels = texel_buffer(context, params.texels() as usize)?;
     let missing = || EstimatorError::Missing("a channel of the captured cube".into());

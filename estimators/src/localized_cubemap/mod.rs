@@ -62,6 +62,7 @@ impl LocalizedCubemapParams {
                 distance: scene.surfaces,
                 normal: scene.surfaces && self.fidelity == Fidelity::Corrected,
             },
+            bounces: 0,
         }
     }
 }

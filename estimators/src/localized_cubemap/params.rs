@@ -1,3 +1,4 @@
+use crate::fields;
 use interreflect_scene::params::{Choice, Fidelity, Field, Params};
 
 /// Which of the paper's two formulas gives a texel's solid angle seen from the reference point.
@@ -55,15 +56,10 @@ impl Params for LocalizedCubemapParams {
             .symbol("M")
             .unit("texels")
             .log(),
-            Field::u32(
-                "capture_resolution",
-                "texels along a face's edge when the environment is captured",
-                1..=1024,
+            fields::capture_resolution(
                 |p: &Self| p.capture_resolution,
                 |p, v| p.capture_resolution = v,
-            )
-            .unit("texels")
-            .log(),
+            ),
             Field::fidelity(|p: &Self| p.fidelity, |p, v| p.fidelity = v),
             Field::choice(
                 "solid_angle",

@@ -146,6 +146,7 @@ fn only_what_was_asked_for(context: &Arc<GpuContext>) -> Result<(), Failed> {
                 distance: asked(1),
                 normal: asked(2),
             },
+            bounces: 0,
         };
         let (cube, _) = context.record("capture", |cx| capture_cube(cx, &uploaded, spec))?;
         ensure!(

@@ -14,6 +14,7 @@ pub(crate) fn everything(size: u32) -> CubeSpec {
             distance: true,
             normal: true,
         },
+        bounces: 0,
     }
 }
 

@@ -32,7 +32,14 @@ impl Hierarchy {
             distance: local,
             normal: local,
         };
-        let captured = capture_cube(scene, CubeSpec { size, channels });
+        let captured = capture_cube(
+            scene,
+            CubeSpec {
+                size,
+                channels,
+                bounces: 0,
+            },
+        );
         let mut patches: Vec<Node> = (0..captured.texels())
             .into_par_iter()
             .map(|index| {

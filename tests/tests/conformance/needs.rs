@@ -77,6 +77,7 @@ fn nothing_else<S: Stage>(stage: &S, subject: &Subject, variant: &Variant) -> Ou
             normal,
             ..CubeChannels::default()
         },
+        bounces: 0,
     };
     let others = [spec(3, false), spec(3, true)];
     more.cubes.extend(others);

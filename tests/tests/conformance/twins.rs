@@ -10,7 +10,7 @@ use interreflect_gpu::{GpuContext, Shader, wgsl};
 use libtest_mimic::{Failed, Trial};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use table::{CPU_ONLY, TWINS};
+use table::{CPU_ONLY, twins};
 
 /// Numbers that a function takes, at most.
 pub(crate) const ARGUMENTS: usize = 16;
@@ -41,7 +41,7 @@ pub(crate) struct Twin {
 
 pub(crate) fn trials() -> Vec<Trial> {
     let mut trials = vec![Trial::test("twins/complete", complete)];
-    for twin in TWINS {
+    for twin in twins() {
         let name = match twin.method {
             "" => format!("twins/{}", twin.name),
             method => format!("twins/{method}/{}", twin.name),
@@ -152,7 +152,7 @@ fn complete() -> Outcome {
         let wgsl = functions(&read(&folder.join("math.wgsl"))?, "fn ");
         for name in &rust {
             let listed = CPU_ONLY.contains(&(&method, name));
-            let tested = TWINS.iter().any(|t| t.method == method && t.name == name);
+            let tested = twins().any(|t| t.method == method && t.name == name);
             ensure!(
                 wgsl.contains(name) != listed,
                 "{method}: `{name}` has to have a WGSL twin or to be listed as the host's alone"
@@ -170,9 +170,9 @@ fn complete() -> Outcome {
             );
         }
     }
-    let shared = TWINS.iter().filter(|t| t.method.is_empty()).count();
+    let shared = twins().filter(|t| t.method.is_empty()).count();
     ensure!(
-        known + shared == TWINS.len() + CPU_ONLY.len(),
+        known + shared == twins().count() + CPU_ONLY.len(),
         "the table has functions that are not there any more"
     );
     Ok(())

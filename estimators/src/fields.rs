@@ -1,0 +1,18 @@
+//! Parameters that several methods declare alike.
+
+use interreflect_scene::params::{Field, Params};
+
+/// `capture_resolution`: texels along a face's edge when the environment is captured.
+pub(crate) fn capture_resolution<P: Params>(get: fn(&P) -> u32, set: fn(&mut P, u32)) -> Field<P> {
+    let doc = "texels along a face's edge when the environment is captured";
+    Field::u32("capture_resolution", doc, 1..=1024, get, set)
+        .unit("texels")
+        .log()
+}
+
+/// `bounces`: reflections that captured radiance holds beyond that of the lights' light.
+pub(crate) fn bounces<P: Params>(get: fn(&P) -> u32, set: fn(&mut P, u32)) -> Field<P> {
+    let doc = "reflections in the captured radiance beyond that of the lights' light, from a \
+               coarse solution at the vertices";
+    Field::u32("bounces", doc, 0..=8, get, set)
+}
