@@ -21,13 +21,24 @@ pub(crate) fn layout(module: &Module, name: &str) -> (usize, Vec<(String, usize)
 
 /// Value of a `const` of type f32.
 pub(crate) fn constant(module: &Module, name: &str) -> f32 {
-    let mut constants = module.constants.iter().map(|(_, constant)| constant);
-    let found = constants.find(|c| c.name.as_deref() == Some(name));
-    let init = found.map(|c| &module.global_expressions[c.init]);
-    match init {
+    match initial(module, name) {
         Some(Expression::Literal(Literal::F32(value))) => *value,
         other => panic!("`{name}` is {other:?}"),
     }
+}
+
+/// Value of a `const` of type u32.
+pub(crate) fn constant_u32(module: &Module, name: &str) -> u32 {
+    match initial(module, name) {
+        Some(Expression::Literal(Literal::U32(value))) => *value,
+        other => panic!("`{name}` is {other:?}"),
+    }
+}
+
+fn initial<'a>(module: &'a Module, name: &str) -> Option<&'a Expression> {
+    let mut constants = module.constants.iter().map(|(_, constant)| constant);
+    let found = constants.find(|c| c.name.as_deref() == Some(name));
+    found.map(|c| &module.global_expressions[c.init])
 }
 
 /// Length of the array that a variable holds, if it is fixed.

@@ -10,6 +10,7 @@ mod fields;
 mod kept;
 #[cfg(test)]
 mod layout;
+mod lobes;
 mod method;
 mod model;
 mod quantity;
@@ -19,6 +20,7 @@ pub mod classic_envmap;
 pub mod constant_ambient;
 pub mod localized_cubemap;
 pub mod path_reference;
+pub mod texels;
 
 /// WGSL twin of [`interreflect_cpu::lane::Lane::lobe_power`].
 const LOBE_POWER: &str = include_str!("lobe_power.wgsl");

@@ -1,24 +1,28 @@
-//! Localized cube maps on the CPU: every point sums over all texels, sixteen points at a time.
+//! Localized cube maps on the CPU.
 
 use super::math::{
-    cos_half, lobe_normalisation, omega_corrected, omega_published, reflectivity_corrected,
-    reflectivity_published, towards_texel,
+    lobe_normalisation, omega_corrected, omega_published, reflectivity_corrected,
+    reflectivity_published,
 };
-use super::texels::{Texel, texels};
-use super::{LocalizedCubemap, LocalizedCubemapParams};
-use crate::averaging::face_solid_angles_sr;
+use super::tables::Tables;
+use super::{LocalizedCubemap, LocalizedCubemapParams, Reflectivity};
 use crate::kept::Kept;
+use crate::lobes::lobes;
+use crate::texels::gather::{Cosines, TexelLight, gather};
+use crate::texels::{Texel, average};
 use crate::{Changed, Cpu, Estimator, EstimatorError, Inputs, Quantity};
-use interreflect_cpu::lane::{Lane, Vector, Wide};
-use interreflect_cpu::tiles::{CpuCx, PointLanes, TileKernel};
+use interreflect_cpu::lane::{Lane, WIDTH, Wide};
+use interreflect_cpu::tiles::CpuCx;
+use interreflect_scene::Estimate;
 use interreflect_scene::params::Fidelity;
-use interreflect_scene::{Estimate, PointLayout};
+use std::f64::consts::FRAC_1_PI;
 
-/// Solid angles of the captured texels, and the texels, kept across frames.
+/// What averaging reads, the texels and the reflectivity's tables, kept across frames.
 #[derive(Default)]
 pub struct State {
-    omegas_sr: Kept<LocalizedCubemapParams, Vec<f32>>,
+    averaging: Kept<LocalizedCubemapParams, average::Tables>,
     texels: Option<Vec<Texel>>,
+    reflectivity: Tables,
 }
 
 impl Estimator<Cpu> for LocalizedCubemap {
@@ -28,20 +32,22 @@ impl Estimator<Cpu> for LocalizedCubemap {
         params: &LocalizedCubemapParams,
         state: &mut State,
         _cx: &mut &CpuCx,
-        _quantity: Quantity,
+        quantity: Quantity,
         inputs: &Inputs<'_, Cpu>,
         _out: &Estimate,
     ) -> Result<(), EstimatorError> {
         let stale = inputs.changed.any(Changed::PARAMS | Changed::CAPTURES);
         if stale || state.texels.is_none() {
             let captured = inputs.cube(&params.captured(&inputs.scene))?;
-            let omegas_sr = state.omegas_sr.tables(params, || {
-                Ok(match params.fidelity {
-                    Fidelity::Published => Vec::new(),
-                    Fidelity::Corrected => face_solid_angles_sr(captured.size),
-                })
-            })?;
-            state.texels = Some(texels(params, omegas_sr, captured));
+            let averaging = state.averaging.tables(params, || Ok(params.averaging()))?;
+            state.texels = Some(averaging.average(captured));
+        }
+        if params.reflectivity == Reflectivity::Table {
+            let kept = state.reflectivity.lobes.clone();
+            let lobes = lobes(quantity, inputs, kept, |n| n)?;
+            if state.reflectivity.values.is_empty() || lobes != state.reflectivity.lobes {
+                state.reflectivity = Tables::new(lobes);
+            }
         }
         Ok(())
     }
@@ -55,103 +61,112 @@ impl Estimator<Cpu> for LocalizedCubemap {
         out: &mut Estimate,
     ) -> Result<(), EstimatorError> {
         let texels = state.texels.as_ref().ok_or(EstimatorError::Unprepared)?;
-        let sum = Sum {
-            texels,
-            origin: inputs.reference_point.to_array(),
-        };
-        let points = inputs.points;
-        match (quantity, params.fidelity) {
-            (Quantity::GlossyRadiance, Fidelity::Published) => {
-                cx.for_each_tile(points, out, &Glossy::<false>(sum));
+        let at = (quantity, inputs.points);
+        let texels = (inputs.reference_point.to_array(), texels.as_slice());
+        let tables = &state.reflectivity;
+        match (params.fidelity, params.reflectivity) {
+            (Fidelity::Published, Reflectivity::Sample) => {
+                gather(cx, at, texels, Published, out);
             }
-            (Quantity::GlossyRadiance, Fidelity::Corrected) => {
-                cx.for_each_tile(points, out, &Glossy::<true>(sum));
+            (Fidelity::Corrected, Reflectivity::Sample) => {
+                gather(cx, at, texels, Corrected, out);
             }
-            (_, Fidelity::Published) => cx.for_each_tile(points, out, &Diffuse::<false>(sum)),
-            (_, Fidelity::Corrected) => cx.for_each_tile(points, out, &Diffuse::<true>(sum)),
+            (Fidelity::Published, Reflectivity::Table) => {
+                gather(cx, at, texels, Averaged::<false>(tables), out);
+            }
+            (Fidelity::Corrected, Reflectivity::Table) => {
+                gather(cx, at, texels, Averaged::<true>(tables), out);
+            }
         }
         Ok(())
     }
 }
 
-struct Sum<'a> {
-    texels: &'a [Texel],
-    origin: [f32; 3],
-}
+struct Published;
 
-impl Sum<'_> {
-    /// Points relative to the reference point.
+impl TexelLight for Published {
+    type Lobe = Wide;
+
     #[inline(always)]
-    fn relative(&self, points: &PointLanes<'_>) -> Vector<Wide> {
-        points.vector(PointLayout::POSITION) - Vector::splat(self.origin)
+    fn omega(&self, extent: Wide, r2: Wide, _cos_surface: Wide) -> Wide {
+        omega_published(extent, r2)
+    }
+    #[inline(always)]
+    fn cosine(&self, n_i: Wide, _omega: Wide) -> Wide {
+        n_i.max(Wide::splat(0.0))
+    }
+    #[inline(always)]
+    fn lobe(&self, shininess: Wide) -> Wide {
+        shininess
+    }
+    #[inline(always)]
+    fn reflectivity(&self, shininess: &Wide, at: Cosines, _omega: Wide) -> (Wide, Wide) {
+        reflectivity_published(at.n_i, at.n_v, at.n_h, *shininess)
     }
 }
 
-/// Direction I to a texel and its solid angle Δω* from x.
-#[inline(always)]
-fn seen<const CORRECTED: bool, L: Lane>(texel: &Texel, x: Vector<L>) -> (Vector<L>, L) {
-    let splat = |v: f32| L::splat(f64::from(v));
-    let direction = Vector::splat(texel.direction);
-    let (i, r2) = towards_texel(direction, splat(texel.inverse_distance), x);
-    let omega = if CORRECTED {
-        let cos_surface = -i.dot(Vector::splat(texel.normal));
-        omega_corrected(splat(texel.extent), r2, cos_surface)
-    } else {
-        omega_published(splat(texel.extent), r2)
-    };
-    (i, omega)
-}
+struct Corrected;
 
-#[inline(always)]
-fn accumulate(sum: &mut [Wide; 3], radiance: [f32; 3], weight: Wide) {
-    for (sum, radiance) in sum.iter_mut().zip(radiance) {
-        *sum = *sum + weight * Wide([radiance; 16]);
+impl TexelLight for Corrected {
+    /// Exponent and normalisation.
+    type Lobe = (Wide, Wide);
+
+    #[inline(always)]
+    fn omega(&self, extent: Wide, r2: Wide, cos_surface: Wide) -> Wide {
+        omega_corrected(extent, r2, cos_surface)
+    }
+    #[inline(always)]
+    fn cosine(&self, n_i: Wide, _omega: Wide) -> Wide {
+        n_i.max(Wide::splat(0.0))
+    }
+    #[inline(always)]
+    fn lobe(&self, shininess: Wide) -> (Wide, Wide) {
+        (shininess, lobe_normalisation(shininess))
+    }
+    #[inline(always)]
+    fn reflectivity(&self, lobe: &(Wide, Wide), at: Cosines, _omega: Wide) -> (Wide, Wide) {
+        reflectivity_corrected(at.n_i, at.n_h, lobe.0, lobe.1)
     }
 }
 
-/// E = Σ L·(N·I)⁺·Δω*.
-struct Diffuse<'a, const CORRECTED: bool>(Sum<'a>);
+/// The reflectivity averaged over a texel, from tables.
+struct Averaged<'a, const CORRECTED: bool>(&'a Tables);
 
-impl<const CORRECTED: bool> TileKernel for Diffuse<'_, CORRECTED> {
+impl<const CORRECTED: bool> TexelLight for Averaged<'_, CORRECTED> {
+    /// Table of each lane, and normalisation.
+    type Lobe = ([usize; WIDTH], Wide);
+
     #[inline(always)]
-    fn shade(&self, points: &PointLanes<'_>) -> [Wide; 3] {
-        let zero = Wide::splat(0.0);
-        let (x, n) = (self.0.relative(points), points.vector(PointLayout::NORMAL));
-        let mut sum = [zero; 3];
-        for texel in self.0.texels {
-            let (i, omega) = seen::<CORRECTED, Wide>(texel, x);
-            accumulate(&mut sum, texel.radiance, omega * n.dot(i).max(zero));
+    fn omega(&self, extent: Wide, r2: Wide, cos_surface: Wide) -> Wide {
+        match CORRECTED {
+            true => omega_corrected(extent, r2, cos_surface),
+            false => omega_published(extent, r2),
         }
-        sum
     }
-}
-
-/// L_r = Σ L·a·Δω*, k_d and k_s taken out of the sum.
-struct Glossy<'a, const CORRECTED: bool>(Sum<'a>);
-
-impl<const CORRECTED: bool> TileKernel for Glossy<'_, CORRECTED> {
     #[inline(always)]
-    fn shade(&self, points: &PointLanes<'_>) -> [Wide; 3] {
+    fn cosine(&self, n_i: Wide, omega: Wide) -> Wide {
+        self.0.averaged_over([0; WIDTH], n_i, omega)
+    }
+    #[inline(always)]
+    fn lobe(&self, shininess: Wide) -> ([usize; WIDTH], Wide) {
+        let tables = shininess.0.map(|n| self.0.of_lobe(n));
+        (tables, lobe_normalisation(shininess))
+    }
+    #[inline(always)]
+    fn reflectivity(
+        &self,
+        (table, normalisation): &([usize; WIDTH], Wide),
+        at: Cosines,
+        omega: Wide,
+    ) -> (Wide, Wide) {
         let zero = Wide::splat(0.0);
-        let (x, n) = (self.0.relative(points), points.vector(PointLayout::NORMAL));
-        let v = points.vector(PointLayout::VIEW);
-        let shininess = points.plane(PointLayout::SHININESS);
-        let (n_v, normalisation) = (n.dot(v), lobe_normalisation(shininess));
-        let (mut diffuse, mut specular) = ([zero; 3], [zero; 3]);
-        for texel in self.0.texels {
-            let (i, omega) = seen::<CORRECTED, Wide>(texel, x);
-            let (n_i, n_h) = (n.dot(i), cos_half(n, i, v));
-            let (d, s) = if CORRECTED {
-                reflectivity_corrected(n_i, n_h, shininess, normalisation)
-            } else {
-                reflectivity_published(n_i, n_v, n_h, shininess)
-            };
-            accumulate(&mut diffuse, texel.radiance, d * omega);
-            accumulate(&mut specular, texel.radiance, s * omega);
+        let cos_theta = self.cosine(at.n_i, omega);
+        let power = self.0.averaged_over(*table, at.n_h, omega);
+        if CORRECTED {
+            let diffuse = cos_theta * Wide::splat(FRAC_1_PI);
+            return (diffuse, cos_theta * *normalisation * power);
         }
-        std::array::from_fn(|c| {
-            points.plane(PointLayout::DIFFUSE + c) * diffuse[c]
-                + points.plane(PointLayout::SPECULAR + c) * specular[c]
-        })
+        let lit = |value: Wide| at.n_v.select_gt(zero, value, zero);
+        (lit(cos_theta), lit(at.n_i.select_gt(zero, power, zero)))
     }
 }

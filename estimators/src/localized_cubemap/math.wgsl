@@ -1,25 +1,8 @@
-// Twins of math.rs, function by function. A texel's surface point relative to o is direction / w.
-
-struct TowardsTexel {
-    // Unit direction I from x, zero where x is the texel's own point.
-    i: vec3f,
-    // (r/d)².
-    r2: f32,
-}
+// Twins of math.rs, function by function.
 
 struct Reflectivity {
     diffuse: f32,
     specular: f32,
-}
-
-// P1 §2: Δω' of the text.
-fn texel_omega_text(m: f32, l: f32) -> f32 {
-    return 4.0 / (m * m * l * l * l + 4.0 / PI);
-}
-
-// P1, listing: Δω' of the shader.
-fn texel_omega_shader(m: f32, l: f32) -> f32 {
-    return 4.0 / (m * m * l * l + 4.0 / PI);
 }
 
 // P1 §2: Δω* from Δω' and (r/d)².
@@ -28,34 +11,10 @@ fn omega_published(omega: f32, r2: f32) -> f32 {
     return omega / (r2 * (1.0 - disc) + disc);
 }
 
-// P1, corrected: A/d² of the disc that subtends `omega` under `cos_reference`.
-fn disc_area(omega: f32, cos_reference: f32) -> f32 {
-    return omega / (cos_reference * (1.0 - omega * INV_PI));
-}
-
 // P1, corrected: the disc's solid angle from x.
 fn omega_corrected(area: f32, r2: f32, cos_surface: f32) -> f32 {
     let seen = area * max(cos_surface, 0.0);
     return seen / (r2 + seen * INV_PI);
-}
-
-fn towards_texel(direction: vec3f, w: f32, x: vec3f) -> TowardsTexel {
-    let r = direction - x * w;
-    let r2 = dot(r, r);
-    let tiny = 1.17549435e-38;
-    if r2 > tiny {
-        return TowardsTexel(r * (1.0 / sqrt(r2)), r2);
-    }
-    return TowardsTexel(vec3f(0.0), r2);
-}
-
-fn cos_half(n: vec3f, i: vec3f, v: vec3f) -> f32 {
-    let h = i + v;
-    let h2 = dot(h, h);
-    if h2 > 1e-20 {
-        return dot(n, h) * (1.0 / sqrt(h2));
-    }
-    return 0.0;
 }
 
 // P1 §2: k_d and k_s factor of the published reflectivity.
@@ -78,4 +37,15 @@ fn reflectivity_corrected(n_i: f32, n_h: f32, shininess: f32, normalisation: f32
 fn lobe_normalisation(shininess: f32) -> f32 {
     let n = shininess;
     return (n + 2.0) * (n + 4.0) / (8.0 * PI * (lobe_power(0.5, n * 0.5) + n));
+}
+
+struct TablePlace {
+    first: f32,
+    second: f32,
+}
+
+// P1 §3: place of (cos θ, Δω) in a table of average reflectivity.
+fn table_place(cos_theta: f32, omega: f32) -> TablePlace {
+    let half = clamp((1.0 - cos_theta) * 0.5, 0.0, 1.0);
+    return TablePlace(sqrt(sqrt(half)), sqrt(clamp(omega * INV_PI, 0.0, 1.0)));
 }

@@ -7,13 +7,15 @@ mod cpu;
 mod gpu;
 pub mod math;
 mod params;
-mod texels;
+mod tables;
 
+use crate::texels::average::{Averaging, Tables};
 use crate::{Info, Method, OwnModel, Quantity, Unsupported};
+use interreflect_scene::conventions::{cube_vector, texel_centre, texel_solid_angle_sr};
 use interreflect_scene::params::Fidelity;
 use interreflect_scene::{CubeChannels, CubeSpec, Needs, SceneFacts};
 
-pub use params::{LocalizedCubemapParams, SolidAngle};
+pub use params::{LocalizedCubemapParams, Reflectivity, SolidAngle};
 
 /// The method.
 pub struct LocalizedCubemap;
@@ -50,6 +52,29 @@ impl LocalizedCubemapParams {
     /// `resolution` so that each texel averages the same whole number of captured ones.
     pub fn capture_size(&self) -> u32 {
         self.capture_resolution.next_multiple_of(self.resolution)
+    }
+
+    /// How the capture is averaged, and what each texel's size is: Δω' in sr in `published`, the
+    /// disc's area times its cosine over d² in `corrected`.
+    fn averaging(&self) -> Tables {
+        let m = self.resolution;
+        let (averaging, extent): (_, &dyn Fn(u32, u32) -> f64) = match self.fidelity {
+            Fidelity::Published => (Averaging::Plain, &|column, row| self.omega(column, row)),
+            Fidelity::Corrected => (Averaging::Exact, &|column, row| {
+                math::disc_area(texel_solid_angle_sr(m, column, row))
+            }),
+        };
+        Tables::new(m, self.capture_size(), averaging, extent)
+    }
+
+    /// Published solid angle Δω' in sr of a texel seen from the reference point.
+    fn omega(&self, column: u32, row: u32) -> f64 {
+        let m = self.resolution;
+        let l = cube_vector(0, texel_centre(m, column), texel_centre(m, row)).length();
+        match self.solid_angle {
+            SolidAngle::Text => math::texel_omega_text(f64::from(m), l),
+            SolidAngle::Shader => math::texel_omega_shader(f64::from(m), l),
+        }
     }
 
     /// The capture that is averaged down. Both fidelities place a texel by its distance,

@@ -16,6 +16,21 @@ impl Choice for SolidAngle {
     const ALL: &'static [(&'static str, Self)] = &[("text", Self::Text), ("shader", Self::Shader)];
 }
 
+/// How a texel's reflectivity is evaluated.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Reflectivity {
+    /// In the direction of its middle.
+    #[default]
+    Sample,
+    /// Averaged over its solid angle, from a table (P1 §3).
+    Table,
+}
+
+impl Choice for Reflectivity {
+    const ALL: &'static [(&'static str, Self)] =
+        &[("sample", Self::Sample), ("table", Self::Table)];
+}
+
 /// Parameters of [`super::LocalizedCubemap`].
 ///
 /// The ranges keep the loops of a shader invocation below 65,536 turns together: lavapipe ends them
@@ -30,6 +45,8 @@ pub struct LocalizedCubemapParams {
     pub fidelity: Fidelity,
     /// Which published solid angle.
     pub solid_angle: SolidAngle,
+    /// How a texel's reflectivity is evaluated.
+    pub reflectivity: Reflectivity,
 }
 
 impl Default for LocalizedCubemapParams {
@@ -39,6 +56,7 @@ impl Default for LocalizedCubemapParams {
             capture_resolution: 256,
             fidelity: Fidelity::Published,
             solid_angle: SolidAngle::Text,
+            reflectivity: Reflectivity::Sample,
         }
     }
 }
@@ -66,6 +84,13 @@ impl Params for LocalizedCubemapParams {
                 "published only: the solid angle of the text (l³) or of the shader (l²)",
                 |p: &Self| p.solid_angle,
                 |p, v| p.solid_angle = v,
+            ),
+            Field::choice(
+                "reflectivity",
+                "a texel's reflectivity: sampled at its middle, or averaged over its solid angle \
+                 from a table",
+                |p: &Self| p.reflectivity,
+                |p, v| p.reflectivity = v,
             ),
         ]
     }

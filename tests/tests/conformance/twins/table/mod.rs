@@ -4,6 +4,7 @@ mod classic_envmap;
 mod constant_ambient;
 mod localized_cubemap;
 mod shared;
+mod texels;
 
 use super::{ARGUMENTS, Call, Twin};
 use interreflect_conformance::tolerance::Tolerance;
@@ -15,6 +16,10 @@ type Input = [f32; ARGUMENTS];
 pub(super) const CPU_ONLY: &[(&str, &str)] = &[
     ("classic_envmap", "texel_vector_sr"),
     ("classic_envmap", "node_direction"),
+    ("localized_cubemap", "texel_omega_text"),
+    ("localized_cubemap", "texel_omega_shader"),
+    ("localized_cubemap", "disc_area"),
+    ("localized_cubemap", "cap_mean"),
 ];
 
 /// WGSL's accuracy, in units in the last place of 2⁻²³: 2.5 for a division, about 3 for a square
@@ -74,6 +79,7 @@ pub(super) fn twins() -> impl Iterator<Item = &'static Twin> {
         constant_ambient::TWINS,
         classic_envmap::TWINS,
         localized_cubemap::TWINS,
+        texels::TWINS,
     ];
     tables.into_iter().flatten()
 }

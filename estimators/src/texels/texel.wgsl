@@ -1,10 +1,10 @@
-// One texel, laid out as `Texel` in texels.rs.
+// One texel, laid out as `Texel` in mod.rs.
 struct Texel {
     direction: vec3f,
     // w = 1/d; 0 at infinity.
     inverse_distance: f32,
     radiance: vec3f,
-    // Published: Δω'. Corrected: A/d².
+    // What the method says of the texel's size.
     extent: f32,
     normal: vec3f,
     pad: f32,

@@ -1,0 +1,46 @@
+//! The specular lobes among the shaded points.
+
+use crate::backend::{Backend, Changed, Inputs};
+use crate::error::{EstimatorError, Unsupported};
+use crate::quantity::Quantity;
+
+/// Lobes that tables or filtered maps are kept for.
+pub(crate) const MAX_LOBES: usize = 8;
+
+/// What `of` makes of the points' Blinn–Phong exponents, each once, ascending; none for quantities
+/// without a lobe. `kept` are those of the session's last `prepare`: they hold until the points
+/// change.
+///
+/// # Errors
+/// [`Unsupported`] for more than [`MAX_LOBES`].
+pub(crate) fn lobes<B: Backend>(
+    quantity: Quantity,
+    inputs: &Inputs<'_, B>,
+    kept: Vec<f32>,
+    of: fn(f32) -> f32,
+) -> Result<Vec<f32>, EstimatorError> {
+    if quantity != Quantity::GlossyRadiance {
+        return Ok(Vec::new());
+    }
+    if !(kept.is_empty() || inputs.changed.any(Changed::POINTS)) {
+        return Ok(kept);
+    }
+    let mut exponents: Vec<f32> = Vec::new();
+    for point in inputs.host_points.iter().flatten() {
+        let exponent = of(point.material.shininess);
+        if let Err(place) = exponents.binary_search_by(|e| e.total_cmp(&exponent)) {
+            exponents.insert(place, exponent);
+        }
+        if exponents.len() > MAX_LOBES {
+            return Err(Unsupported(format!(
+                "one table or map is kept for each shininess, at most {MAX_LOBES}; the points have \
+                 more: use fewer materials"
+            ))
+            .into());
+        }
+    }
+    if exponents.is_empty() {
+        exponents.push(0.0);
+    }
+    Ok(exponents)
+}

@@ -1,0 +1,187 @@
+//! How the few texels are made from captures.
+
+use super::Texel;
+use crate::averaging::{covered, face_solid_angles_sr, mean_radiance};
+use glam::{DVec3, Vec3};
+use interreflect_scene::CubeImage;
+use interreflect_scene::conventions::{CUBE_FACES, cube_vector, texel_centre, texel_index};
+
+/// How captured texels become one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Averaging {
+    /// Plain means of radiance and distance (P1 §2); averaged distances leave the wall.
+    Plain,
+    /// Radiance weighted by solid angle; distance and normal of the surface along the ray through
+    /// the texel's middle.
+    Exact,
+}
+
+/// Distances below this count as this, so that 1/d stays finite.
+pub(super) const NEAREST_M: f32 = 1e-30;
+
+/// Smallest cosine that an extent is divided by: only a surface seen edge-on is nearer to 0.
+pub(super) const EDGE_ON: f64 = 1e-6;
+
+/// What averaging reads beside the capture; depends on a method's parameters alone.
+pub(crate) struct Tables {
+    /// M: texels along a face's edge.
+    pub(super) resolution: u32,
+    pub(super) averaging: Averaging,
+    /// Solid angles in sr of the captured texels of a face; [`Averaging::Exact`] only.
+    pub(super) omegas_sr: Vec<f32>,
+    /// The extents of a face's texels.
+    pub(super) extents: Vec<f32>,
+}
+
+impl Tables {
+    /// Tables for `resolution`² texels a face out of `capture_size`², a multiple of it.
+    ///
+    /// `extent` of (column, row) becomes the texel's extent as it is with [`Averaging::Plain`], and
+    /// over the cosine between ray and surface normal at the texel with [`Averaging::Exact`].
+    pub(crate) fn new(
+        resolution: u32,
+        capture_size: u32,
+        averaging: Averaging,
+        extent: impl Fn(u32, u32) -> f64,
+    ) -> Self {
+        let texels = (0..resolution * resolution).map(|i| (i % resolution, i / resolution));
+        Self {
+            resolution,
+            averaging,
+            omegas_sr: match averaging {
+                Averaging::Plain => Vec::new(),
+                Averaging::Exact => face_solid_angles_sr(capture_size),
+            },
+            extents: texels
+                .map(|(column, row)| extent(column, row) as f32)
+                .collect(),
+        }
+    }
+
+    /// Averages a capture, in the order of texel indices. A cube without distances is at infinity,
+    /// one without normals faces the reference point.
+    pub(crate) fn average(&self, captured: &CubeImage) -> Vec<Texel> {
+        let m = self.resolution;
+        let mut texels = Vec::with_capacity(CUBE_FACES * (m * m) as usize);
+        for face in 0..CUBE_FACES {
+            for row in 0..m {
+                for column in 0..m {
+                    let at = Place { face, column, row };
+                    texels.push(match self.averaging {
+                        Averaging::Plain => self.plain(captured, at),
+                        Averaging::Exact => self.exact(captured, at),
+                    });
+                }
+            }
+        }
+        texels
+    }
+
+    fn extent(&self, at: Place) -> f64 {
+        f64::from(self.extents[texel_index(self.resolution, 0, at.column, at.row)])
+    }
+
+    fn plain(&self, captured: &CubeImage, at: Place) -> Texel {
+        let m = self.resolution;
+        let mut radiance = DVec3::ZERO;
+        let (mut distance, mut met) = (0.0, 0_u32);
+        let mut count = 0_u32;
+        for (_, index) in covered(m, captured.size, at.face, at.column, at.row) {
+            radiance += captured.radiance[index].as_dvec3();
+            count += 1;
+            if let Some(d) = captured.distance.get(index).filter(|d| d.is_finite()) {
+                distance += f64::from(*d);
+                met += 1;
+            }
+        }
+        // A texel that is mostly open has no place: it stays at infinity.
+        let inverse_distance = if 2 * met < count.max(1) || met == 0 {
+            0.0
+        } else {
+            1.0 / ((distance / f64::from(met)) as f32).max(NEAREST_M)
+        };
+        Texel {
+            direction: at.ray(m).as_vec3().to_array(),
+            inverse_distance,
+            radiance: (radiance / f64::from(count)).as_vec3().to_array(),
+            extent: self.extent(at) as f32,
+            ..Texel::default()
+        }
+    }
+
+    fn exact(&self, captured: &CubeImage, at: Place) -> Texel {
+        let m = self.resolution;
+        let Place { face, column, row } = at;
+        let direction = at.ray(m);
+        let middle = middle(m, captured.size, at);
+        let (inverse_distance, normal) = surface_along(captured, middle, direction);
+        let cos_reference = (-normal.as_dvec3().dot(direction)).max(EDGE_ON);
+        Texel {
+            direction: direction.as_vec3().to_array(),
+            inverse_distance,
+            radiance: mean_radiance(captured, &self.omegas_sr, m, face, column, row).to_array(),
+            extent: (self.extent(at) / cos_reference) as f32,
+            normal: normal.to_array(),
+            ..Texel::default()
+        }
+    }
+}
+
+/// A texel of a face.
+#[derive(Clone, Copy)]
+pub(crate) struct Place {
+    pub(crate) face: usize,
+    pub(crate) column: u32,
+    pub(crate) row: u32,
+}
+
+impl Place {
+    /// Unit direction of its middle on a face of `size`² texels.
+    pub(crate) fn ray(self, size: u32) -> DVec3 {
+        let (s, t) = (
+            texel_centre(size, self.column),
+            texel_centre(size, self.row),
+        );
+        cube_vector(self.face, s, t).normalize()
+    }
+}
+
+/// The captured texel at the middle of one of the M×M texels; of the four around it, where their
+/// number is even, the one of the smallest column and row. A fixed choice: on an edge of the scene
+/// that the middle ray meets exactly, both backends then take the same side.
+fn middle(m: u32, size: u32, at: Place) -> Place {
+    let step = size / m;
+    let middle = |i: u32| i * step + (step - 1) / 2;
+    Place {
+        column: middle(at.column),
+        row: middle(at.row),
+        ..at
+    }
+}
+
+/// 1/d in 1/m along `direction` of the surface that the captured texel `near` lies on, and its
+/// normal; 0 and the direction back where there is no surface.
+pub(crate) fn surface_along(captured: &CubeImage, near: Place, direction: DVec3) -> (f32, Vec3) {
+    let index = texel_index(captured.size, near.face, near.column, near.row);
+    let back = -direction.as_vec3();
+    match captured.distance.get(index) {
+        Some(d) if d.is_finite() => {
+            let normal = captured.normal.get(index).copied().unwrap_or(back);
+            let d = distance_along(direction, near.ray(captured.size), *d, normal);
+            (1.0 / d.max(NEAREST_M), normal)
+        }
+        _ => (0.0, back),
+    }
+}
+
+/// Distance at which the ray along `direction` meets the plane that a neighbouring ray, along
+/// `near`, met at distance `d`; d itself where the plane is almost edge-on to either.
+fn distance_along(direction: DVec3, near: DVec3, d: f32, normal: Vec3) -> f32 {
+    let normal = normal.as_dvec3();
+    let (at_near, at_direction) = (-normal.dot(near), -normal.dot(direction));
+    if at_near < 2.0 * at_direction && at_direction < 2.0 * at_near {
+        (f64::from(d) * (at_near / at_direction)) as f32
+    } else {
+        d
+    }
+}

@@ -1,0 +1,132 @@
+//! Every point sums over all texels, sixteen points at a time.
+
+use super::Texel;
+use super::math::{cos_half, towards_texel};
+use crate::Quantity;
+use interreflect_cpu::lane::{Lane, Vector, WIDTH, Wide};
+use interreflect_cpu::tiles::{CpuCx, PointLanes, TileKernel};
+use interreflect_scene::{Estimate, PointLayout, Points};
+
+/// What a texel counts: a method's own formulas.
+pub(crate) trait TexelLight: Sync {
+    /// What the reflectivity needs of the lobes of sixteen points.
+    type Lobe;
+
+    /// Solid angle in sr of a texel of this extent from the points; `r2` = (r/d)².
+    fn omega(&self, extent: Wide, r2: Wide, cos_surface: Wide) -> Wide;
+
+    /// Cosine at the points, in the mean over the texel.
+    fn cosine(&self, n_i: Wide, omega: Wide) -> Wide;
+
+    /// The points' lobes.
+    fn lobe(&self, shininess: Wide) -> Self::Lobe;
+
+    /// Diffuse and specular factor of the reflectivity, the cosine included.
+    fn reflectivity(&self, lobe: &Self::Lobe, cosines: Cosines, omega: Wide) -> (Wide, Wide);
+}
+
+/// Cosines at the point between its normal and the direction to a texel, to the viewer and the half
+/// vector of both.
+#[derive(Clone, Copy)]
+pub(crate) struct Cosines {
+    pub(crate) n_i: Wide,
+    pub(crate) n_v: Wide,
+    pub(crate) n_h: Wide,
+}
+
+/// Sums over texels around `origin` at every point.
+pub(crate) fn gather<M: TexelLight>(
+    cx: &CpuCx,
+    (quantity, points): (Quantity, &Points),
+    (origin, texels): ([f32; 3], &[Texel]),
+    method: M,
+    out: &mut Estimate,
+) {
+    let sum = Sum {
+        texels,
+        origin,
+        method,
+    };
+    match quantity {
+        Quantity::GlossyRadiance => cx.for_each_tile(points, out, &Glossy(sum)),
+        _ => cx.for_each_tile(points, out, &Diffuse(sum)),
+    }
+}
+
+struct Sum<'a, M> {
+    texels: &'a [Texel],
+    origin: [f32; 3],
+    method: M,
+}
+
+impl<M: TexelLight> Sum<'_, M> {
+    /// Points relative to the reference point.
+    #[inline(always)]
+    fn relative(&self, points: &PointLanes<'_>) -> Vector<Wide> {
+        points.vector(PointLayout::POSITION) - Vector::splat(self.origin)
+    }
+
+    /// Direction I to a texel and its solid angle from x.
+    #[inline(always)]
+    fn seen(&self, texel: &Texel, x: Vector<Wide>) -> (Vector<Wide>, Wide) {
+        let splat = |v: f32| Wide([v; WIDTH]);
+        let direction = Vector::splat(texel.direction);
+        let (i, r2) = towards_texel(direction, splat(texel.inverse_distance), x);
+        let cos_surface = -i.dot(Vector::splat(texel.normal));
+        (i, self.method.omega(splat(texel.extent), r2, cos_surface))
+    }
+}
+
+#[inline(always)]
+fn accumulate(sum: &mut [Wide; 3], radiance: [f32; 3], weight: Wide) {
+    for (sum, radiance) in sum.iter_mut().zip(radiance) {
+        *sum = *sum + weight * Wide([radiance; WIDTH]);
+    }
+}
+
+/// E = Σ L·(N·I)⁺·Δω.
+struct Diffuse<'a, M>(Sum<'a, M>);
+
+impl<M: TexelLight> TileKernel for Diffuse<'_, M> {
+    #[inline(always)]
+    fn shade(&self, points: &PointLanes<'_>) -> [Wide; 3] {
+        let (x, n) = (self.0.relative(points), points.vector(PointLayout::NORMAL));
+        let mut sum = [Wide::splat(0.0); 3];
+        for texel in self.0.texels {
+            let (i, omega) = self.0.seen(texel, x);
+            let weight = omega * self.0.method.cosine(n.dot(i), omega);
+            accumulate(&mut sum, texel.radiance, weight);
+        }
+        sum
+    }
+}
+
+/// L_r = Σ L·a·Δω, k_d and k_s taken out of the sum.
+struct Glossy<'a, M>(Sum<'a, M>);
+
+impl<M: TexelLight> TileKernel for Glossy<'_, M> {
+    #[inline(always)]
+    fn shade(&self, points: &PointLanes<'_>) -> [Wide; 3] {
+        let (x, n) = (self.0.relative(points), points.vector(PointLayout::NORMAL));
+        let v = points.vector(PointLayout::VIEW);
+        let lobe = self.0.method.lobe(points.plane(PointLayout::SHININESS));
+        let n_v = n.dot(v);
+        let zero = [Wide::splat(0.0); 3];
+        let (mut diffuse, mut specular) = (zero, zero);
+        for texel in self.0.texels {
+            let (i, omega) = self.0.seen(texel, x);
+            let cosines = Cosines {
+                n_i: n.dot(i),
+                n_v,
+                n_h: cos_half(n, i, v),
+            };
+            let (d, s) = self.0.method.reflectivity(&lobe, cosines, omega);
+            accumulate(&mut diffuse, texel.radiance, d * omega);
+            accumulate(&mut specular, texel.radiance, s * omega);
+        }
+        std::array::from_fn(|c| {
+            points.plane(PointLayout::DIFFUSE + c) * diffuse[c]
+                + points.plane(PointLayout::SPECULAR + c) * specular[c]
+        })
+    }
+}

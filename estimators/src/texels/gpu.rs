@@ -1,0 +1,192 @@
+//! Texels on the GPU: one workgroup averages a texel, one invocation gathers at a point.
+
+use super::Texel;
+use super::average::{Averaging, Tables};
+use crate::{EstimatorError, Gpu, Inputs, LOBE_POWER, Quantity};
+use bytemuck::{Pod, Zeroable};
+use interreflect_gpu::{
+    Binding, Constants, GpuContext, GpuCube, GpuCx, GpuEstimate, Kernel, Shader, wgsl,
+};
+use interreflect_scene::conventions::CUBE_FACES;
+use interreflect_scene::{CubeChannels, CubeSpec};
+
+/// The surface along a ray of a capture.
+pub(crate) const SURFACE: &str = include_str!("surface.wgsl");
+
+/// The struct `Texel`.
+pub(crate) const TEXEL: &str = include_str!("texel.wgsl");
+
+/// Leaf functions of the sum.
+pub(crate) const LEAVES: &str = include_str!("math.wgsl");
+
+/// The entry points `irradiance` and `glossy`.
+pub(crate) const GATHER: &str = include_str!("gather.wgsl");
+
+/// The texels as a uniform array.
+pub(crate) const UNIFORM: &str = include_str!("texels_uniform.wgsl");
+
+/// The texels as a storage array.
+pub(crate) const STORAGE: &str = include_str!("texels_storage.wgsl");
+
+/// Texels that the uniform buffer of texels_uniform.wgsl holds: 48 KiB of the 64 that WebGPU
+/// guarantees.
+pub(super) const UNIFORM_TEXELS: usize = 1024;
+
+/// Averages captures to texels.
+pub(crate) const AVERAGE: Shader = Shader {
+    label: "texels average",
+    parts: &[wgsl::CUBE, TEXEL, SURFACE, include_str!("average.wgsl")],
+};
+
+/// The parts of a shader that gathers from `texels`: [`UNIFORM`] or [`STORAGE`]. `leaves` are the
+/// method's formulas, `light` what it says of a texel to gather.wgsl.
+pub(crate) const fn gather_parts(
+    leaves: &'static str,
+    light: &'static str,
+    texels: &'static str,
+) -> [&'static str; 9] {
+    [
+        wgsl::MATH,
+        wgsl::POINTS,
+        LOBE_POWER,
+        LEAVES,
+        leaves,
+        TEXEL,
+        texels,
+        light,
+        GATHER,
+    ]
+}
+
+/// As `Average` in average.wgsl.
+#[repr(C)]
+#[derive(Clone, Copy, Pod, Zeroable)]
+pub(super) struct Average {
+    pub(super) m: u32,
+    pub(super) size: u32,
+    pub(super) place: u32,
+    pub(super) pad: u32,
+}
+
+/// As `Gather` in gather.wgsl.
+#[repr(C)]
+#[derive(Clone, Copy, Pod, Zeroable)]
+pub(super) struct Gather {
+    pub(super) origin: [f32; 3],
+    pub(super) count: u32,
+}
+
+/// Number in WGSL for the channels of place that a capture has.
+pub(crate) fn place(channels: CubeChannels) -> u32 {
+    u32::from(channels.distance) + u32::from(channels.distance && channels.normal)
+}
+
+/// [`Tables`] on the device.
+pub(crate) struct GpuTables {
+    resolution: u32,
+    averaging: Averaging,
+    omegas_sr: wgpu::Buffer,
+    extents: wgpu::Buffer,
+}
+
+impl GpuTables {
+    pub(crate) fn new(context: &GpuContext, tables: &Tables) -> Result<Self, EstimatorError> {
+        Ok(Self {
+            resolution: tables.resolution,
+            averaging: tables.averaging,
+            omegas_sr: context.storage("captured solid angles", &tables.omegas_sr)?,
+            extents: context.storage("texel extents", &tables.extents)?,
+        })
+    }
+
+    /// Number of texels.
+    pub(crate) fn count(&self) -> u32 {
+        CUBE_FACES as u32 * self.resolution * self.resolution
+    }
+
+    /// Records the averaging of a capture and returns the buffer of texels that it fills.
+    pub(crate) fn average(
+        &self,
+        cx: &mut GpuCx,
+        captured: &GpuCube,
+    ) -> Result<wgpu::Buffer, EstimatorError> {
+        let CubeSpec { size, channels, .. } = captured.spec();
+        let context = cx.context();
+        let texels = texel_buffer(context, self.count() as usize)?;
+        let average = Average {
+            m: self.resolution,
+            size,
+            place: place(channels),
+            pad: 0,
+        };
+        let average = context.uniform("texels average", &average)?;
+        let entry = match self.averaging {
+            Averaging::Plain => "average_plain",
+            Averaging::Exact => "average_exact",
+        };
+        let [radiance, normals] = views(captured)?;
+        let bindings = [
+            (&average).into(),
+            (&texels).into(),
+            radiance,
+            normals,
+            (&self.omegas_sr).into(),
+            (&self.extents).into(),
+        ];
+        let kernel = context.kernel(&AVERAGE, entry, &bindings)?;
+        kernel.record(cx, [self.resolution, self.resolution, CUBE_FACES as u32]);
+        Ok(texels)
+    }
+}
+
+/// The slots `captured` and `normals` of shaders with the part [`SURFACE`]. A capture without
+/// normals gives its radiance twice: the shader does not look at normals then.
+pub(crate) fn views(captured: &GpuCube) -> Result<[Binding<'_>; 2], EstimatorError> {
+    let missing = || EstimatorError::Missing("the radiance of the captured cube".into());
+    let radiance = captured.radiance_distance().ok_or_else(missing)?;
+    let normals = captured.normal().unwrap_or(radiance);
+    Ok([radiance.into(), normals.into()])
+}
+
+/// The kernel that sums over texels at every point. `shaders`: with the texels as a uniform and as
+/// a storage array; `own`: the bindings of the method's own slots, from 5 on.
+pub(crate) fn gather_kernel(
+    context: &GpuContext,
+    shaders: &[Shader; 2],
+    constants: Constants<'_>,
+    (texels, count): (&wgpu::Buffer, u32),
+    (quantity, inputs, out): (Quantity, &Inputs<'_, Gpu>, &GpuEstimate),
+    own: &[Binding<'_>],
+) -> Result<Kernel, EstimatorError> {
+    let origin = inputs.reference_point.to_array();
+    let gather = context.uniform("texels gather", &Gather { origin, count })?;
+    let [points, info, estimate] = inputs.points.bindings(out);
+    let mut bindings = vec![points, info, estimate, (&gather).into(), texels.into()];
+    bindings.extend_from_slice(own);
+    let entry = match quantity {
+        Quantity::GlossyRadiance => "glossy",
+        _ => "irradiance",
+    };
+    let shader = &shaders[usize::from(count as usize > UNIFORM_TEXELS)];
+    Ok(context.kernel_with(shader, entry, constants, &bindings)?)
+}
+
+/// A buffer of texels that shaders write as storage and read as storage or, if short, as a uniform
+/// array of its full length.
+fn texel_buffer(context: &GpuContext, count: usize) -> Result<wgpu::Buffer, EstimatorError> {
+    let descriptor = wgpu::BufferDescriptor {
+        label: Some("texels"),
+        size: (count.max(UNIFORM_TEXELS) * size_of::<Texel>()) as u64,
+        usage: wgpu::BufferUsages::STORAGE
+            | wgpu::BufferUsages::UNIFORM
+            | wgpu::BufferUsages::COPY_SRC,
+        mapped_at_creation: false,
+    };
+    Ok(context.checked("the texels of a cube map", || {
+        context.device().create_buffer(&descriptor)
+    })?)
+}
+
+#[cfg(test)]
+#[path = "tests.rs"]
+mod tests;

@@ -1,0 +1,25 @@
+//! A captured cube averaged to a few texels, each at its surface's place, and the sum over them:
+//! what the methods share that take the texels of a cube map for small lights.
+
+pub(crate) mod average;
+pub(crate) mod gather;
+pub(crate) mod gpu;
+pub mod math;
+
+/// One texel, as both backends read it: three vectors of four `f32`s.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
+pub(crate) struct Texel {
+    /// Unit direction from the reference point.
+    pub direction: [f32; 3],
+    /// w = 1/d in 1/m; 0 at infinity.
+    pub inverse_distance: f32,
+    /// Mean radiance.
+    pub radiance: [f32; 3],
+    /// What the method says of the texel's size: see [`average::Tables::new`].
+    pub extent: f32,
+    /// Unit normal of the surface; [`average::Averaging::Exact`] only.
+    pub normal: [f32; 3],
+    /// Nothing; keeps the layout.
+    pub pad: f32,
+}
