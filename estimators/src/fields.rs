@@ -2,6 +2,15 @@
 
 use interreflect_scene::params::{Field, Params};
 
+/// `resolution`: texels along a face's edge that shading sums over.
+pub(crate) fn resolution<P: Params>(get: fn(&P) -> u32, set: fn(&mut P, u32)) -> Field<P> {
+    let doc = "texels along a face's edge that shading sums over";
+    Field::u32("resolution", doc, 1..=64, get, set)
+        .symbol("M")
+        .unit("texels")
+        .log()
+}
+
 /// `capture_resolution`: texels along a face's edge when the environment is captured.
 pub(crate) fn capture_resolution<P: Params>(get: fn(&P) -> u32, set: fn(&mut P, u32)) -> Field<P> {
     let doc = "texels along a face's edge when the environment is captured";

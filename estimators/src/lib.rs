@@ -20,10 +20,15 @@ pub mod classic_envmap;
 pub mod constant_ambient;
 pub mod localized_cubemap;
 pub mod path_reference;
+pub mod point_form_factor;
+pub mod polygon_form_factor;
 pub mod texels;
 
 /// WGSL twin of [`interreflect_cpu::lane::Lane::lobe_power`].
 const LOBE_POWER: &str = include_str!("lobe_power.wgsl");
+
+/// WGSL twin of [`interreflect_cpu::lane::Lane::angle`].
+const ANGLE: &str = include_str!("angle.wgsl");
 
 pub use backend::{Backend, Captures, Changed, Cpu, Gpu, Inputs};
 pub use error::{EstimatorError, Unsupported};

@@ -265,6 +265,8 @@ impl Registry {
             .with(Entry::both::<crate::constant_ambient::ConstantAmbient>())
             .with(Entry::both::<crate::classic_envmap::ClassicEnvmap>())
             .with(Entry::both::<crate::localized_cubemap::LocalizedCubemap>())
+            .with(Entry::both::<crate::point_form_factor::PointFormFactor>())
+            .with(Entry::both::<crate::polygon_form_factor::PolygonFormFactor>())
             .with(Entry::cpu_only::<crate::path_reference::PathReference>())
     }
 

@@ -89,4 +89,8 @@ impl Lane for Wide {
     fn lobe_power(self, exponent: Self) -> Self {
         self.zip(exponent, |a, b| a.lobe_power(b))
     }
+    #[inline(always)]
+    fn angle(self, cos: Self) -> Self {
+        self.zip(cos, |a, b| a.angle(b))
+    }
 }

@@ -1,14 +1,12 @@
 //! Localized cube maps on the CPU.
 
-use super::math::{
-    lobe_normalisation, omega_corrected, omega_published, reflectivity_corrected,
-    reflectivity_published,
-};
+use super::math::{omega_corrected, omega_published, reflectivity_published};
 use super::tables::Tables;
 use super::{LocalizedCubemap, LocalizedCubemapParams, Reflectivity};
 use crate::kept::Kept;
 use crate::lobes::lobes;
 use crate::texels::gather::{Cosines, TexelLight, gather};
+use crate::texels::math::{lobe_normalisation, normalised_reflectivity};
 use crate::texels::{Texel, average};
 use crate::{Changed, Cpu, Estimator, EstimatorError, Inputs, Quantity};
 use interreflect_cpu::lane::{Lane, WIDTH, Wide};
@@ -125,7 +123,7 @@ impl TexelLight for Corrected {
     }
     #[inline(always)]
     fn reflectivity(&self, lobe: &(Wide, Wide), at: Cosines, _omega: Wide) -> (Wide, Wide) {
-        reflectivity_corrected(at.n_i, at.n_h, lobe.0, lobe.1)
+        normalised_reflectivity(at.n_i, at.n_h, lobe.0, lobe.1)
     }
 }
 

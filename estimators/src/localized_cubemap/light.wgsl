@@ -73,7 +73,7 @@ fn texel_reflectivity(lobe: TexelLobe, n_i: f32, n_v: f32, n_h: f32, omega: f32)
         return Reflectivity(select(0.0, cos_theta, lit), select(0.0, power, lit && n_i > 0.0));
     }
     if corrected {
-        return reflectivity_corrected(n_i, n_h, lobe.shininess, lobe.normalisation);
+        return normalised_reflectivity(n_i, n_h, lobe.shininess, lobe.normalisation);
     }
     return reflectivity_published(n_i, n_v, n_h, lobe.shininess);
 }

@@ -55,28 +55,6 @@ pub fn reflectivity_published<L: Lane>(n_i: L, n_v: L, n_h: L, shininess: L) -> 
     (lit(n_i), lit(n_h.lobe_power(shininess)))
 }
 
-/// Diffuse and specular factor of the normalised reflectivity times the cosine:
-/// [k_d/π + k_s·(n+2)(n+4)/(8π(2^(−n/2)+n))·(N·H)ⁿ]·(N·I)⁺ (P1, corrected).
-///
-/// `normalisation` is [`lobe_normalisation`] of the shininess. Takes no notice of N·V: with
-/// interpolated normals a visible point may have N·V < 0, and it is not black there.
-#[inline(always)]
-pub fn reflectivity_corrected<L: Lane>(n_i: L, n_h: L, shininess: L, normalisation: L) -> (L, L) {
-    let cos = n_i.max(L::splat(0.0));
-    (
-        cos * L::splat(FRAC_1_PI),
-        cos * normalisation * n_h.lobe_power(shininess),
-    )
-}
-
-/// Normalisation (n+2)(n+4)/(8π(2^(−n/2)+n)) of the Blinn–Phong lobe for n ≥ 0 (P1, corrected).
-#[inline(always)]
-pub fn lobe_normalisation<L: Lane>(shininess: L) -> L {
-    let n = shininess;
-    let two_to_minus_half_n = L::splat(0.5).lobe_power(n * L::splat(0.5));
-    (n + L::splat(2.0)) * (n + L::splat(4.0)) / (L::splat(8.0 * PI) * (two_to_minus_half_n + n))
-}
-
 /// Place of (cos θ, Δω) in a table of average reflectivity: ⁴√((1 − cos θ)/2) and √(Δω/π), both
 /// in [0, 1] (P1 §3).
 ///

@@ -1,10 +1,5 @@
 // Twins of math.rs, function by function.
 
-struct Reflectivity {
-    diffuse: f32,
-    specular: f32,
-}
-
 // P1 §2: Δω* from Δω' and (r/d)².
 fn omega_published(omega: f32, r2: f32) -> f32 {
     let disc = omega * INV_PI;
@@ -23,20 +18,6 @@ fn reflectivity_published(n_i: f32, n_v: f32, n_h: f32, shininess: f32) -> Refle
         return Reflectivity(n_i, lobe_power(n_h, shininess));
     }
     return Reflectivity(0.0, 0.0);
-}
-
-// P1, corrected: normalised, times the cosine.
-fn reflectivity_corrected(n_i: f32, n_h: f32, shininess: f32, normalisation: f32) -> Reflectivity {
-    let cos_theta = max(n_i, 0.0);
-    return Reflectivity(
-        cos_theta * INV_PI,
-        cos_theta * normalisation * lobe_power(n_h, shininess),
-    );
-}
-
-fn lobe_normalisation(shininess: f32) -> f32 {
-    let n = shininess;
-    return (n + 2.0) * (n + 4.0) / (8.0 * PI * (lobe_power(0.5, n * 0.5) + n));
 }
 
 struct TablePlace {

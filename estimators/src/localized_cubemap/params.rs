@@ -64,16 +64,7 @@ impl Default for LocalizedCubemapParams {
 impl Params for LocalizedCubemapParams {
     fn fields() -> Vec<Field<Self>> {
         vec![
-            Field::u32(
-                "resolution",
-                "texels along a face's edge that shading sums over",
-                1..=64,
-                |p: &Self| p.resolution,
-                |p, v| p.resolution = v,
-            )
-            .symbol("M")
-            .unit("texels")
-            .log(),
+            fields::resolution(|p: &Self| p.resolution, |p, v| p.resolution = v),
             fields::capture_resolution(
                 |p: &Self| p.capture_resolution,
                 |p, v| p.capture_resolution = v,

@@ -6,6 +6,7 @@
 //! R = direction − w·x is (y − x)·w, its square is (r/d)², and its direction is that of I.
 
 use interreflect_cpu::lane::{Lane, Vector};
+use std::f64::consts::{FRAC_1_PI, PI};
 
 /// The direction I from x to a texel's surface point, and r2 = (r/d)².
 ///
@@ -27,4 +28,26 @@ pub fn cos_half<L: Lane>(n: Vector<L>, i: Vector<L>, v: Vector<L>) -> L {
     let h2 = h.dot(h);
     let tiny = L::splat(1e-20);
     n.dot(h) * h2.select_gt(tiny, L::splat(1.0) / h2.max(tiny).sqrt(), L::splat(0.0))
+}
+
+/// Diffuse and specular factor of the normalised reflectivity times the cosine:
+/// [k_d/π + k_s·(n+2)(n+4)/(8π(2^(−n/2)+n))·(N·H)ⁿ]·(N·I)⁺ (P1, corrected).
+///
+/// `normalisation` is [`lobe_normalisation`] of the shininess. Takes no notice of N·V: with
+/// interpolated normals a visible point may have N·V < 0, and it is not black there.
+#[inline(always)]
+pub fn normalised_reflectivity<L: Lane>(n_i: L, n_h: L, shininess: L, normalisation: L) -> (L, L) {
+    let cos = n_i.max(L::splat(0.0));
+    (
+        cos * L::splat(FRAC_1_PI),
+        cos * normalisation * n_h.lobe_power(shininess),
+    )
+}
+
+/// Normalisation (n+2)(n+4)/(8π(2^(−n/2)+n)) of the Blinn–Phong lobe for n ≥ 0 (P1, corrected).
+#[inline(always)]
+pub fn lobe_normalisation<L: Lane>(shininess: L) -> L {
+    let n = shininess;
+    let two_to_minus_half_n = L::splat(0.5).lobe_power(n * L::splat(0.5));
+    (n + L::splat(2.0)) * (n + L::splat(4.0)) / (L::splat(8.0 * PI) * (two_to_minus_half_n + n))
 }

@@ -83,16 +83,26 @@ fn read(path: &Path) -> Result<String, Failed> {
     std::fs::read_to_string(path).map_err(|e| format!("{}: {e}", path.display()).into())
 }
 
+/// What methods share that sum over texels; their leaf functions may use its own.
+const TEXELS: &str = "texels";
+
+/// The WGSL leaf functions of a folder.
+fn leaves(folder: &str) -> Result<String, Failed> {
+    read(&sources().join(folder).join("math.wgsl"))
+}
+
 fn on_device(context: &Arc<GpuContext>, twin: &Twin) -> Outcome {
     let inputs = (twin.inputs)();
     let own = match twin.method {
-        "" => String::new(),
-        method => read(&sources().join(method).join("math.wgsl"))?,
+        "" | TEXELS => String::new(),
+        method => leaves(method)?,
     };
     let shader = shader([
         wgsl::MATH.into(),
         wgsl::CUBE.into(),
         read(&sources().join("lobe_power.wgsl"))?,
+        read(&sources().join("angle.wgsl"))?,
+        leaves(TEXELS)?,
         own,
         format!(
             "@group(0) @binding(0) var<storage, read> inputs: array<array<f32, {ARGUMENTS}>>;\n\
@@ -120,7 +130,7 @@ fn on_device(context: &Arc<GpuContext>, twin: &Twin) -> Outcome {
 }
 
 /// A shader of parts that live as long as the program, as all shaders do.
-fn shader(parts: [String; 5]) -> Shader {
+fn shader(parts: [String; 7]) -> Shader {
     let parts = parts.map(|part| &*part.leak());
     Shader {
         label: "twin",

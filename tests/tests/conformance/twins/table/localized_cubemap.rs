@@ -43,29 +43,6 @@ pub(super) const TWINS: &[Twin] = &[
     ),
     twin!(
         "localized_cubemap",
-        "reflectivity_corrected",
-        "let r = reflectivity_corrected(a[0], a[1], a[2], a[3]);\n\
-         outputs[id.x] = vec4f(r.diffuse, r.specular, 0.0, 0.0);",
-        over_lanes!(|a| {
-            let (d, s) = localized::reflectivity_corrected(a[0], a[1], a[2], a[3]);
-            vec![d, s]
-        }),
-        || grid(&[&SIGNED, &SIGNED, &[0.0, 1.0, 5.0, 100.0], &[0.3, 4.0]]),
-        Tolerance {
-            absolute: 4e-6,
-            ..LOBE
-        }
-    ),
-    twin!(
-        "localized_cubemap",
-        "lobe_normalisation",
-        "outputs[id.x] = vec4f(lobe_normalisation(a[0]), 0.0, 0.0, 0.0);",
-        over_lanes!(|a| vec![localized::lobe_normalisation(a[0])]),
-        || grid(&[&[0.0, 0.25, 1.0, 5.0, 30.0, 100.0, 1e3, 1e5]]),
-        LOBE
-    ),
-    twin!(
-        "localized_cubemap",
         "table_place",
         "let p = table_place(a[0], a[1]);\n\
          outputs[id.x] = vec4f(p.first, p.second, 0.0, 0.0);",
@@ -84,5 +61,3 @@ pub(super) const TWINS: &[Twin] = &[
         )
     ),
 ];
-
-const SIGNED: [f32; 6] = [-1.0, -1e-3, 0.0, 1e-3, 0.5, 1.0];

@@ -3,6 +3,8 @@
 mod classic_envmap;
 mod constant_ambient;
 mod localized_cubemap;
+mod point_form_factor;
+mod polygon_form_factor;
 mod shared;
 mod texels;
 
@@ -79,10 +81,14 @@ pub(super) fn twins() -> impl Iterator<Item = &'static Twin> {
         constant_ambient::TWINS,
         classic_envmap::TWINS,
         localized_cubemap::TWINS,
+        point_form_factor::TWINS,
+        polygon_form_factor::TWINS,
         texels::TWINS,
     ];
     tables.into_iter().flatten()
 }
+
+const SIGNED: [f32; 6] = [-1.0, -1e-3, 0.0, 1e-3, 0.5, 1.0];
 
 fn vector<L: Lane>(a: &[L; ARGUMENTS], first: usize) -> Vector<L> {
     Vector::new(a[first], a[first + 1], a[first + 2])

@@ -33,6 +33,29 @@ pub(super) const TWINS: &[Twin] = &[
             "a sum of terms that cancel, divided by its length of 1/10 at least"
         )
     ),
+    twin!(
+        "texels",
+        "normalised_reflectivity",
+        "let r = normalised_reflectivity(a[0], a[1], a[2], a[3]);\n\
+         outputs[id.x] = vec4f(r.diffuse, r.specular, 0.0, 0.0);",
+        over_lanes!(|a| {
+            let (d, s) = texels::normalised_reflectivity(a[0], a[1], a[2], a[3]);
+            vec![d, s]
+        }),
+        || grid(&[&SIGNED, &SIGNED, &[0.0, 1.0, 5.0, 100.0], &[0.3, 4.0]]),
+        Tolerance {
+            absolute: 4e-6,
+            ..LOBE
+        }
+    ),
+    twin!(
+        "texels",
+        "lobe_normalisation",
+        "outputs[id.x] = vec4f(lobe_normalisation(a[0]), 0.0, 0.0, 0.0);",
+        over_lanes!(|a| vec![texels::lobe_normalisation(a[0])]),
+        || grid(&[&[0.0, 0.25, 1.0, 5.0, 30.0, 100.0, 1e3, 1e5]]),
+        LOBE
+    ),
 ];
 
 /// Texels at distances 1 to infinity in all directions, points within 0.9 of the reference point;

@@ -1,0 +1,82 @@
+//! Point-to-point form factors: each texel of a cube map is a virtual point light at its surface's
+//! place (A. Keller, *Instant Radiosity*; the usual answer before discs and polygons). It spikes
+//! where a point comes near to a texel's middle, by design: a baseline.
+
+mod cpu;
+mod gpu;
+pub mod math;
+mod params;
+
+use crate::texels::average::{Averaging, Tables};
+use crate::{Info, Method, OwnModel, Quantity, Unsupported};
+use interreflect_scene::conventions::texel_solid_angle_sr;
+use interreflect_scene::{CubeChannels, CubeSpec, Needs, SceneFacts};
+
+pub use params::PointFormFactorParams;
+
+/// The method.
+pub struct PointFormFactor;
+
+impl Method for PointFormFactor {
+    type Params = PointFormFactorParams;
+
+    const INFO: Info = Info {
+        id: "point_form_factor",
+        title: "Point-to-point form factors",
+        source: "A. Keller: Instant Radiosity",
+    };
+
+    const QUANTITIES: &'static [Quantity] = &[Quantity::Irradiance, Quantity::GlossyRadiance];
+
+    fn needs(
+        params: &Self::Params,
+        _quantity: Quantity,
+        scene: &SceneFacts,
+    ) -> Result<Needs, Unsupported> {
+        Ok(Needs {
+            cubes: [params.captured(scene)].into(),
+            ..Needs::default()
+        })
+    }
+
+    fn model(_params: &Self::Params, _quantity: Quantity) -> OwnModel {
+        OwnModel::VisibleFromReference
+    }
+}
+
+impl PointFormFactorParams {
+    /// Texels along the captured cube's edge: `capture_resolution`, rounded up to a multiple of
+    /// `resolution`.
+    fn capture_size(&self) -> u32 {
+        self.capture_resolution.next_multiple_of(self.resolution)
+    }
+
+    /// The capture that is averaged down; nothing has a place without surfaces.
+    fn captured(&self, scene: &SceneFacts) -> CubeSpec {
+        CubeSpec {
+            size: self.capture_size(),
+            channels: CubeChannels {
+                radiance: true,
+                distance: scene.surfaces,
+                normal: scene.surfaces,
+            },
+            bounces: self.bounces,
+        }
+    }
+
+    /// A texel's size is its solid angle in sr from the reference point: with the cosine at its
+    /// surface that is A/d².
+    fn averaging(&self) -> Tables {
+        let m = self.resolution;
+        let omega_sr = |column, row| texel_solid_angle_sr(m, column, row);
+        Tables::new(m, self.capture_size(), Averaging::Exact, omega_sr)
+    }
+
+    /// `clamp`, or the largest number where there is none.
+    fn largest_omega_sr(&self) -> f32 {
+        match self.clamp > 0.0 {
+            true => self.clamp,
+            false => f32::MAX,
+        }
+    }
+}

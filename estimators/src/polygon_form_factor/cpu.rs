@@ -1,0 +1,242 @@
+//! Polygon-to-point form factors on the CPU: row by row over each face, so that a corner is looked
+//! at once and an edge integrated once for both texels beside it.
+
+use super::corners::{Quads, REUSED_EDGE, Tables};
+use super::math::{clipped_quad, edge_angle, edge_cosine, edge_integral};
+use super::{Facing, PolygonFormFactor, PolygonFormFactorParams};
+use crate::kept::Kept;
+use crate::texels::average;
+use crate::{Changed, Cpu, Estimator, EstimatorError, Inputs, Quantity};
+use interreflect_cpu::lane::{Lane, Vector, WIDTH, Wide};
+use interreflect_cpu::tiles::{CpuCx, PointLanes, TileKernel};
+use interreflect_scene::conventions::CUBE_FACES;
+use interreflect_scene::params::Fidelity;
+use interreflect_scene::{Estimate, PointLayout};
+
+/// What averaging and the corners read, and the quadrilaterals, kept across frames.
+#[derive(Default)]
+pub struct State {
+    tables: Kept<PolygonFormFactorParams, (average::Tables, Tables)>,
+    quads: Option<Quads>,
+}
+
+impl Estimator<Cpu> for PolygonFormFactor {
+    type State = State;
+
+    fn prepare(
+        params: &PolygonFormFactorParams,
+        state: &mut State,
+        _cx: &mut &CpuCx,
+        _quantity: Quantity,
+        inputs: &Inputs<'_, Cpu>,
+        _out: &Estimate,
+    ) -> Result<(), EstimatorError> {
+        let stale = inputs.changed.any(Changed::PARAMS | Changed::CAPTURES);
+        if stale || state.quads.is_none() {
+            let captured = inputs.cube(&params.captured(&inputs.scene))?;
+            let make = || Ok((params.averaging(), Tables::new(params)));
+            let (averaging, corners) = state.tables.tables(params, make)?;
+            state.quads = Some(corners.quads(&averaging.average(captured), captured));
+        }
+        Ok(())
+    }
+
+    fn shade(
+        params: &PolygonFormFactorParams,
+        state: &mut State,
+        cx: &mut &CpuCx,
+        _quantity: Quantity,
+        inputs: &Inputs<'_, Cpu>,
+        out: &mut Estimate,
+    ) -> Result<(), EstimatorError> {
+        let contours = Contours {
+            quads: state.quads.as_ref().ok_or(EstimatorError::Unprepared)?,
+            resolution: params.resolution as usize,
+            origin: inputs.reference_point.to_array(),
+        };
+        let points = inputs.points;
+        match (params.fidelity, params.facing) {
+            (Fidelity::Published, _) => cx.for_each_tile(points, out, &Published(contours)),
+            (Fidelity::Corrected, Facing::Signed) => {
+                cx.for_each_tile(points, out, &Corrected::<true>(contours));
+            }
+            (Fidelity::Corrected, Facing::Clamped) => {
+                cx.for_each_tile(points, out, &Corrected::<false>(contours));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Corners along the edge of a face, at most.
+pub(super) const MAX_SIDE: usize = 65;
+
+struct Contours<'a> {
+    quads: &'a Quads,
+    /// M: texels along a face's edge.
+    resolution: usize,
+    origin: [f32; 3],
+}
+
+/// A corner from sixteen points.
+#[derive(Clone, Copy)]
+struct Seen {
+    r: Vector<Wide>,
+    /// n·R.
+    height: Wide,
+}
+
+/// A texel's corners and the values of its edges, each towards larger columns or rows.
+struct Quad {
+    /// (s₀,t₀), (s₀,t₁), (s₁,t₁), (s₁,t₀): clockwise seen from the reference point.
+    corners: [Seen; 4],
+    left: Wide,
+    right: Wide,
+    top: Wide,
+    bottom: Wide,
+}
+
+impl Quad {
+    /// Sum along the contour, clockwise.
+    #[inline(always)]
+    fn contour(&self) -> Wide {
+        self.left + self.bottom - self.right - self.top
+    }
+}
+
+/// A fidelity: what an edge and a quadrilateral count.
+trait Formula: Sync {
+    /// Value of the edge between two corners, which changes its sign with their order.
+    fn edge(&self, a: &Seen, b: &Seen, n: Vector<Wide>) -> Wide;
+    /// Irradiance from a texel of radiance 1, or nothing where it is below all horizons.
+    fn quad(&self, face: usize, quad: &Quad, n: Vector<Wide>) -> Option<Wide>;
+}
+
+impl Contours<'_> {
+    #[inline(always)]
+    fn gather(&self, formula: &impl Formula, points: &PointLanes<'_>) -> [Wide; 3] {
+        let zero = Wide::splat(0.0);
+        let x = points.vector(PointLayout::POSITION) - Vector::splat(self.origin);
+        let n = points.vector(PointLayout::NORMAL);
+        let (m, side) = (self.resolution, self.resolution + 1);
+        let nothing = Seen {
+            r: Vector::splat([0.0; 3]),
+            height: zero,
+        };
+        let mut above = [nothing; MAX_SIDE];
+        let mut tops = [zero; MAX_SIDE];
+        let mut sum = [zero; 3];
+        for face in 0..CUBE_FACES {
+            let corner = |i: usize, j: usize| {
+                let [dx, dy, dz, w] = self.quads.corners[(face * side + j) * side + i];
+                let r = Vector::splat([dx, dy, dz]) - x.scale(Wide([w; WIDTH]));
+                let height = n.dot(r);
+                Seen { r, height }
+            };
+            for (i, above) in above.iter_mut().enumerate().take(side) {
+                *above = corner(i, 0);
+            }
+            for i in 0..m {
+                tops[i] = formula.edge(&above[i], &above[i + 1], n);
+            }
+            for j in 0..m {
+                let mut below = corner(0, j + 1);
+                let mut left = formula.edge(&above[0], &below, n);
+                for i in 0..m {
+                    let below_right = corner(i + 1, j + 1);
+                    let quad = Quad {
+                        corners: [above[i], below, below_right, above[i + 1]],
+                        left,
+                        right: formula.edge(&above[i + 1], &below_right, n),
+                        top: tops[i],
+                        bottom: formula.edge(&below, &below_right, n),
+                    };
+                    if let Some(irradiance) = formula.quad(face, &quad, n) {
+                        let radiance = self.quads.radiances[(face * m + j) * m + i];
+                        for (sum, radiance) in sum.iter_mut().zip(radiance) {
+                            *sum = *sum + irradiance * Wide([radiance; WIDTH]);
+                        }
+                    }
+                    (above[i], tops[i]) = (below, quad.bottom);
+                    (below, left) = (below_right, quad.right);
+                }
+                above[m] = below;
+            }
+        }
+        sum
+    }
+}
+
+/// The paper's form factor: unit normals of the edges times one angle, negative sums zeroed.
+struct Published<'a>(Contours<'a>);
+
+impl Formula for Published<'_> {
+    #[inline(always)]
+    fn edge(&self, a: &Seen, b: &Seen, n: Vector<Wide>) -> Wide {
+        edge_cosine(a.r, b.r, n)
+    }
+
+    #[inline(always)]
+    fn quad(&self, face: usize, quad: &Quad, _n: Vector<Wide>) -> Option<Wide> {
+        let (a, b) = REUSED_EDGE[face];
+        let angle = edge_angle(quad.corners[a].r, quad.corners[b].r);
+        let sum = Wide::splat(0.5) * angle * quad.contour();
+        Some(sum.max(Wide::splat(0.0)))
+    }
+}
+
+impl TileKernel for Published<'_> {
+    #[inline(always)]
+    fn shade(&self, points: &PointLanes<'_>) -> [Wide; 3] {
+        self.0.gather(self, points)
+    }
+}
+
+/// Lambert's: each edge's own angle, clipped at the horizon.
+struct Corrected<'a, const SIGNED: bool>(Contours<'a>);
+
+impl<const SIGNED: bool> Formula for Corrected<'_, SIGNED> {
+    /// Where no lane has the whole edge above its horizon, none reads it.
+    #[inline(always)]
+    fn edge(&self, a: &Seen, b: &Seen, n: Vector<Wide>) -> Wide {
+        match any_positive(a.height.min(b.height)) {
+            true => edge_integral(a.r, b.r, n),
+            false => Wide::splat(0.0),
+        }
+    }
+
+    #[inline(always)]
+    fn quad(&self, _face: usize, quad: &Quad, n: Vector<Wide>) -> Option<Wide> {
+        let zero = Wide::splat(0.0);
+        let [a, b, c, d] = quad.corners.map(|c| c.height);
+        let highest = a.max(b).max(c.max(d));
+        if !any_positive(highest) {
+            return None;
+        }
+        let lowest = a.min(b).min(c.min(d));
+        let whole = Wide::splat(0.5) * quad.contour();
+        let cut = lowest.select_gt(zero, zero, highest);
+        let part = match any_positive(cut) {
+            true => clipped_quad(&quad.corners.map(|c| c.r), n),
+            false => zero,
+        };
+        let irradiance = lowest.select_gt(zero, whole, cut.select_gt(zero, part, zero));
+        Some(match SIGNED {
+            true => irradiance,
+            false => irradiance.max(zero),
+        })
+    }
+}
+
+impl<const SIGNED: bool> TileKernel for Corrected<'_, SIGNED> {
+    #[inline(always)]
+    fn shade(&self, points: &PointLanes<'_>) -> [Wide; 3] {
+        let sum = self.0.gather(self, points);
+        sum.map(|e| e.max(Wide::splat(0.0)))
+    }
+}
+
+#[inline(always)]
+fn any_positive(values: Wide) -> bool {
+    values.0.iter().fold(0.0_f32, |a, b| Lane::max(a, *b)) > 0.0
+}

@@ -1,0 +1,78 @@
+//! Polygon-to-point form factors: Umenhoffer & Szirmay-Kalos, *Robust Diffuse Final Gathering on the
+//! GPU*. Each texel of a cube map with distances is a quadrilateral through its four corners, and
+//! every point gathers from all of them by the form factor of a polygon.
+
+mod corners;
+mod cpu;
+mod gpu;
+pub mod math;
+mod params;
+
+use crate::texels::average::{Averaging, Tables};
+use crate::{Info, Method, OwnModel, Quantity, Unsupported};
+use interreflect_scene::params::Fidelity;
+use interreflect_scene::{CubeChannels, CubeSpec, Needs, SceneFacts};
+
+pub use params::{Corners, Facing, PolygonFormFactorParams, Radiance};
+
+/// The method.
+pub struct PolygonFormFactor;
+
+impl Method for PolygonFormFactor {
+    type Params = PolygonFormFactorParams;
+
+    const INFO: Info = Info {
+        id: "polygon_form_factor",
+        title: "Polygon-to-point form factors",
+        source: "T. Umenhoffer, L. Szirmay-Kalos: Robust Diffuse Final Gathering on the GPU",
+    };
+
+    const QUANTITIES: &'static [Quantity] = &[Quantity::Irradiance];
+
+    fn needs(
+        params: &Self::Params,
+        _quantity: Quantity,
+        scene: &SceneFacts,
+    ) -> Result<Needs, Unsupported> {
+        Ok(Needs {
+            cubes: [params.captured(scene)].into(),
+            ..Needs::default()
+        })
+    }
+
+    fn model(_params: &Self::Params, _quantity: Quantity) -> OwnModel {
+        OwnModel::VisibleFromReference
+    }
+}
+
+impl PolygonFormFactorParams {
+    /// Texels along the captured cube's edge: `capture_resolution`, rounded up to a multiple of
+    /// `resolution`.
+    fn capture_size(&self) -> u32 {
+        self.capture_resolution.next_multiple_of(self.resolution)
+    }
+
+    /// The capture that is averaged down. A distance along another ray than the captured ones
+    /// follows the surface's plane, so it needs normals; nothing has a place without surfaces.
+    fn captured(&self, scene: &SceneFacts) -> CubeSpec {
+        let along_rays = self.fidelity == Fidelity::Corrected || self.corners() == Corners::Exact;
+        CubeSpec {
+            size: self.capture_size(),
+            channels: CubeChannels {
+                radiance: true,
+                distance: scene.surfaces,
+                normal: scene.surfaces && along_rays,
+            },
+            bounces: self.bounces,
+        }
+    }
+
+    /// How the capture is averaged; quadrilaterals have their extent by their corners.
+    fn averaging(&self) -> Tables {
+        let averaging = match self.fidelity {
+            Fidelity::Published => Averaging::Plain,
+            Fidelity::Corrected => Averaging::Exact,
+        };
+        Tables::new(self.resolution, self.capture_size(), averaging, |_, _| 0.0)
+    }
+}

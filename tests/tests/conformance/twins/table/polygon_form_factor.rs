@@ -1,0 +1,99 @@
+use super::*;
+use interreflect_estimators::polygon_form_factor::math as polygon;
+
+/// Error of an edge: products that cancel in c, then the angle and a division.
+const EDGE: Tolerance = ulps(
+    20,
+    4.0,
+    "a vector product whose terms cancel, and an angle with a relative error of 3e-7",
+);
+
+pub(super) const TWINS: &[Twin] = &[
+    twin!(
+        "polygon_form_factor",
+        "edge_integral",
+        "outputs[id.x] = vec4f(edge_integral(vec3f(a[0], a[1], a[2]), vec3f(a[3], a[4], a[5]), vec3f(a[6], a[7], a[8])), 0.0, 0.0, 0.0);",
+        over_lanes!(|a| vec![polygon::edge_integral(
+            vector(a, 0),
+            vector(a, 3),
+            vector(a, 6)
+        )]),
+        edges,
+        EDGE
+    ),
+    twin!(
+        "polygon_form_factor",
+        "edge_cosine",
+        "outputs[id.x] = vec4f(edge_cosine(vec3f(a[0], a[1], a[2]), vec3f(a[3], a[4], a[5]), vec3f(a[6], a[7], a[8])), 0.0, 0.0, 0.0);",
+        over_lanes!(|a| vec![polygon::edge_cosine(
+            vector(a, 0),
+            vector(a, 3),
+            vector(a, 6)
+        )]),
+        edges,
+        EDGE
+    ),
+    twin!(
+        "polygon_form_factor",
+        "edge_angle",
+        "outputs[id.x] = vec4f(edge_angle(vec3f(a[0], a[1], a[2]), vec3f(a[3], a[4], a[5])), 0.0, 0.0, 0.0);",
+        over_lanes!(|a| vec![polygon::edge_angle(vector(a, 0), vector(a, 3))]),
+        edges,
+        EDGE
+    ),
+    twin!(
+        "polygon_form_factor",
+        "clipped_quad",
+        "let corners = array<vec3f, 4>(vec3f(a[0], a[1], a[2]), vec3f(a[3], a[4], a[5]), vec3f(a[6], a[7], a[8]), vec3f(a[9], a[10], a[11]));\n\
+         outputs[id.x] = vec4f(clipped_quad(corners, vec3f(a[12], a[13], a[14])), 0.0, 0.0, 0.0);",
+        over_lanes!(|a| vec![polygon::clipped_quad(
+            &[vector(a, 0), vector(a, 3), vector(a, 6), vector(a, 9)],
+            vector(a, 12)
+        )]),
+        quads,
+        Tolerance {
+            absolute: 2e-5,
+            relative: 1e-5,
+            cause: "up to eight edges; a crossing of the horizon moves with the rounding of a \
+                    height that is small beside its terms",
+        }
+    ),
+];
+
+/// Edges whose ends lie apart, seen by a unit normal; and one without a length.
+fn edges() -> Vec<Input> {
+    let mut inputs = spread(9, -1.0, 1.0);
+    for a in &mut inputs {
+        a[2] += 2.0;
+        unit(a, 6);
+    }
+    let mut point = inputs[0];
+    for k in 0..3 {
+        point[3 + k] = point[k];
+    }
+    inputs.push(point);
+    inputs
+}
+
+/// Quadrilaterals at unit distance around some direction, seen by normals in all directions: above,
+/// below and cut by the horizon. Clockwise and counter-clockwise.
+fn quads() -> Vec<Input> {
+    let mut inputs = spread(8, -1.0, 1.0);
+    for a in &mut inputs {
+        let b = *a;
+        let corner = [(-0.4, -0.4), (-0.4, 0.4), (0.4, 0.4), (0.4, -0.4)];
+        for (k, (s, t)) in corner.into_iter().enumerate() {
+            a[3 * k] = s + 0.1 * b[k];
+            a[3 * k + 1] = t + 0.1 * b[(k + 1) % 4];
+            a[3 * k + 2] = 1.0 + 0.2 * b[(k + 2) % 4];
+        }
+        (a[12], a[13], a[14]) = (b[4], b[5], b[6]);
+        unit(a, 12);
+    }
+    inputs
+}
+
+fn unit(a: &mut Input, first: usize) {
+    let length = (0..3).map(|k| a[first + k].powi(2)).sum::<f32>().sqrt();
+    (0..3).for_each(|k| a[first + k] /= length);
+}
