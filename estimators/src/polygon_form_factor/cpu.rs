@@ -2,7 +2,7 @@
 //! at once and an edge integrated once for both texels beside it.
 
 use super::corners::{Quads, REUSED_EDGE, Tables};
-use super::math::{clipped_quad, edge_angle, edge_cosine, edge_integral};
+use super::math::{clipped_quad, corner_height, edge_angle, edge_cosine, edge_integral};
 use super::{Facing, PolygonFormFactor, PolygonFormFactorParams};
 use crate::kept::Kept;
 use crate::texels::average;
@@ -82,7 +82,7 @@ struct Contours<'a> {
 #[derive(Clone, Copy)]
 struct Seen {
     r: Vector<Wide>,
-    /// n·R.
+    /// Above the horizon.
     height: Wide,
 }
 
@@ -118,6 +118,7 @@ impl Contours<'_> {
         let zero = Wide::splat(0.0);
         let x = points.vector(PointLayout::POSITION) - Vector::splat(self.origin);
         let n = points.vector(PointLayout::NORMAL);
+        let reach = x.dot(x).sqrt();
         let (m, side) = (self.resolution, self.resolution + 1);
         let nothing = Seen {
             r: Vector::splat([0.0; 3]),
@@ -130,7 +131,7 @@ impl Contours<'_> {
             let corner = |i: usize, j: usize| {
                 let [dx, dy, dz, w] = self.quads.corners[(face * side + j) * side + i];
                 let r = Vector::splat([dx, dy, dz]) - x.scale(Wide([w; WIDTH]));
-                let height = n.dot(r);
+                let height = corner_height(r, n, Wide([w; WIDTH]), reach);
                 Seen { r, height }
             };
             for (i, above) in above.iter_mut().enumerate().take(side) {
@@ -208,7 +209,8 @@ impl<const SIGNED: bool> Formula for Corrected<'_, SIGNED> {
     #[inline(always)]
     fn quad(&self, _face: usize, quad: &Quad, n: Vector<Wide>) -> Option<Wide> {
         let zero = Wide::splat(0.0);
-        let [a, b, c, d] = quad.corners.map(|c| c.height);
+        let heights = quad.corners.map(|c| c.height);
+        let [a, b, c, d] = heights;
         let highest = a.max(b).max(c.max(d));
         if !any_positive(highest) {
             return None;
@@ -217,7 +219,7 @@ impl<const SIGNED: bool> Formula for Corrected<'_, SIGNED> {
         let whole = Wide::splat(0.5) * quad.contour();
         let cut = lowest.select_gt(zero, zero, highest);
         let part = match any_positive(cut) {
-            true => clipped_quad(&quad.corners.map(|c| c.r), n),
+            true => clipped_quad(&quad.corners.map(|c| c.r), &heights, n),
             false => zero,
         };
         let irradiance = lowest.select_gt(zero, whole, cut.select_gt(zero, part, zero));

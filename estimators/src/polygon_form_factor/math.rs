@@ -7,6 +7,18 @@
 
 use interreflect_cpu::lane::{Lane, Vector};
 
+/// Height n·R of a corner above the horizon; negative within the rounding of float32, so that a
+/// point on a surface does not see what lies in that surface's plane.
+///
+/// `reach` is |x|; R = direction − w·x is good to a few roundings of 1 + w·|x|.
+#[inline(always)]
+pub fn corner_height<L: Lane>(r: Vector<L>, n: Vector<L>, w: L, reach: L) -> L {
+    n.dot(r) - L::splat(IN_PLANE) * (L::splat(1.0) + w * reach)
+}
+
+/// Height below which a corner counts as being in the horizon's plane: sixteen roundings of float32.
+const IN_PLANE: f64 = 2e-6;
+
 /// What an edge from `a` to `b` adds to n·∮: its angle times n·ĉ, ĉ the unit normal of the plane
 /// through x, a and b (Lambert; Umenhoffer & Szirmay-Kalos, §3, with each edge's own angle).
 ///
@@ -41,15 +53,15 @@ pub fn edge_angle<L: Lane>(a: Vector<L>, b: Vector<L>) -> L {
     c.dot(c).sqrt().angle(a.dot(b))
 }
 
-/// Irradiance under a radiance of 1 from a quadrilateral clipped at the horizon n·R ≥ 0: half the
-/// sum of [`edge_integral`] over the clipped contour, closed along the horizon (Lambert).
+/// Irradiance under a radiance of 1 from a quadrilateral clipped at the horizon: half the sum of
+/// [`edge_integral`] over the clipped contour, closed along the horizon (Lambert). `heights` are the
+/// corners' [`corner_height`].
 ///
 /// Negative where the corners run the other way round. The contour need not be planar, and may
 /// cross the horizon four times.
 #[inline(always)]
-pub fn clipped_quad<L: Lane>(corners: &[Vector<L>; 4], n: Vector<L>) -> L {
+pub fn clipped_quad<L: Lane>(corners: &[Vector<L>; 4], heights: &[L; 4], n: Vector<L>) -> L {
     let zero = L::splat(0.0);
-    let heights = [0, 1, 2, 3].map(|k: usize| n.dot(corners[k]));
     let edge = |k: usize| {
         let next = (k + 1) % 4;
         horizon_edge(corners[k], corners[next], (heights[k], heights[next]))

@@ -1,5 +1,10 @@
 // Twins of math.rs, function by function. Corners run clockwise seen from x.
 
+// Height of a corner above the horizon, negative within rounding.
+fn corner_height(r: vec3f, n: vec3f, w: f32, reach: f32) -> f32 {
+    return dot(n, r) - 2e-6 * (1.0 + w * reach);
+}
+
 // An edge's angle times n·ĉ.
 fn edge_integral(a: vec3f, b: vec3f, n: vec3f) -> f32 {
     let c = cross(a, b - a);
@@ -27,15 +32,15 @@ fn edge_angle(a: vec3f, b: vec3f) -> f32 {
 }
 
 // Half the sum over the contour clipped at the horizon and closed along it.
-fn clipped_quad(corners: array<vec3f, 4>, n: vec3f) -> f32 {
+fn clipped_quad(corners: array<vec3f, 4>, heights: vec4f, n: vec3f) -> f32 {
     var r = corners;
     // The crossing through which the contour left the upper side last, before it comes back.
     var left_at = vec3f(0.0);
     for (var k = 0u; k < 4u; k++) {
         let a = r[k];
         let b = r[(k + 1u) % 4u];
-        let h_a = dot(n, a);
-        let h_b = dot(n, b);
+        let h_a = heights[k];
+        let h_b = heights[(k + 1u) % 4u];
         if h_a > 0.0 && h_b <= 0.0 {
             left_at = a + (b - a) * (h_a / (h_a - h_b));
         }
@@ -44,8 +49,8 @@ fn clipped_quad(corners: array<vec3f, 4>, n: vec3f) -> f32 {
     for (var k = 0u; k < 4u; k++) {
         let a = r[k];
         let b = r[(k + 1u) % 4u];
-        let h_a = dot(n, a);
-        let h_b = dot(n, b);
+        let h_a = heights[k];
+        let h_b = heights[(k + 1u) % 4u];
         if h_a > 0.0 && h_b > 0.0 {
             sum += edge_integral(a, b, n);
         } else if h_a > 0.0 || h_b > 0.0 {

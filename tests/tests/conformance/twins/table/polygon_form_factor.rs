@@ -23,6 +23,19 @@ pub(super) const TWINS: &[Twin] = &[
     ),
     twin!(
         "polygon_form_factor",
+        "corner_height",
+        "outputs[id.x] = vec4f(corner_height(vec3f(a[0], a[1], a[2]), vec3f(a[6], a[7], a[8]), a[3], a[4]), 0.0, 0.0, 0.0);",
+        over_lanes!(|a| vec![polygon::corner_height(
+            vector(a, 0),
+            vector(a, 6),
+            a[3],
+            a[4]
+        )]),
+        edges,
+        ulps(3, 3.0, "a scalar product whose terms cancel")
+    ),
+    twin!(
+        "polygon_form_factor",
         "edge_cosine",
         "outputs[id.x] = vec4f(edge_cosine(vec3f(a[0], a[1], a[2]), vec3f(a[3], a[4], a[5]), vec3f(a[6], a[7], a[8])), 0.0, 0.0, 0.0);",
         over_lanes!(|a| vec![polygon::edge_cosine(
@@ -45,11 +58,18 @@ pub(super) const TWINS: &[Twin] = &[
         "polygon_form_factor",
         "clipped_quad",
         "let corners = array<vec3f, 4>(vec3f(a[0], a[1], a[2]), vec3f(a[3], a[4], a[5]), vec3f(a[6], a[7], a[8]), vec3f(a[9], a[10], a[11]));\n\
-         outputs[id.x] = vec4f(clipped_quad(corners, vec3f(a[12], a[13], a[14])), 0.0, 0.0, 0.0);",
-        over_lanes!(|a| vec![polygon::clipped_quad(
-            &[vector(a, 0), vector(a, 3), vector(a, 6), vector(a, 9)],
-            vector(a, 12)
-        )]),
+         let n = vec3f(a[12], a[13], a[14]);\n\
+         let heights = vec4f(dot(n, corners[0]), dot(n, corners[1]), dot(n, corners[2]), dot(n, corners[3]));\n\
+         outputs[id.x] = vec4f(clipped_quad(corners, heights, n), 0.0, 0.0, 0.0);",
+        over_lanes!(|a| {
+            let corners = [vector(a, 0), vector(a, 3), vector(a, 6), vector(a, 9)];
+            let n = vector(a, 12);
+            vec![polygon::clipped_quad(
+                &corners,
+                &corners.map(|r| n.dot(r)),
+                n,
+            )]
+        }),
         quads,
         Tolerance {
             absolute: 2e-5,
