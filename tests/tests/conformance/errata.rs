@@ -3,11 +3,11 @@
 
 use crate::ensure;
 use crate::subjects::{ROOM_ORIGIN, SUBJECTS, Subject, box_with, inside};
-use crate::world::{Outcome, Variant, cpu_stage, gpu_stage, on_gpu, run};
+use crate::world::{Outcome, Variant, configured, on_both, run};
 use glam::Vec3;
 use interreflect::stage::Stage;
 use interreflect_conformance::tolerance::Tolerance;
-use interreflect_estimators::{Quantity, Registry};
+use interreflect_estimators::Quantity;
 use interreflect_scene::conventions::{
     CUBE_FACES, cube_vector, texel_centre, texel_solid_angle_sr,
 };
@@ -15,27 +15,25 @@ use interreflect_scene::{Estimate, Point, Points};
 use libtest_mimic::{Failed, Trial};
 use std::f64::consts::PI;
 
-type Check<S> = fn(&S) -> Outcome;
-
 pub(crate) fn trials() -> Vec<Trial> {
-    let mut trials = Vec::new();
-    macro_rules! on_both {
-        ($subject:expr, $check:ident) => {
-            let name = concat!("errata/", stringify!($check));
-            trials.push(Trial::test(format!("{name}/cpu"), || {
-                let check: Check<_> = $check;
-                check(&cpu_stage($subject))
-            }));
-            trials.push(on_gpu(format!("{name}/gpu"), |context| {
-                let check: Check<_> = $check;
-                check(&gpu_stage(context, $subject)?)
-            }));
+    macro_rules! both {
+        ($check:ident, $subject:expr) => {
+            on_both(
+                concat!("errata/", stringify!($check)),
+                || $subject,
+                $check,
+                $check,
+            )
         };
     }
-    on_both!(&SUBJECTS[0], solid_angle_is_of_published_alone);
-    on_both!(&SUBJECTS[0], diffuse_lacks_one_over_pi_in_published);
-    on_both!(&UNIFORM, fidelities_meet_at_the_reference_point);
-    trials
+    [
+        both!(solid_angle_is_of_published_alone, &SUBJECTS[0]),
+        both!(diffuse_lacks_one_over_pi_in_published, &SUBJECTS[0]),
+        both!(fidelities_meet_at_the_reference_point, &UNIFORM),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
 }
 
 /// A room of radiance 1, with points at the reference point.
@@ -50,11 +48,7 @@ static UNIFORM: std::sync::LazyLock<Subject> = std::sync::LazyLock::new(|| {
 });
 
 fn localized(quantity: Quantity, settings: &[(&str, &str)]) -> Result<Variant, Failed> {
-    let mut method = Registry::builtin().get("localized_cubemap")?.configure();
-    for (name, value) in settings {
-        method.set(name, value)?;
-    }
-    Ok(Variant { method, quantity })
+    configured("localized_cubemap", quantity, settings)
 }
 
 fn shaded<S: Stage>(
@@ -67,11 +61,11 @@ fn shaded<S: Stage>(
     run(stage, subject, &localized(quantity, settings)?, &points)
 }
 
-fn solid_angle_is_of_published_alone<S: Stage>(stage: &S) -> Outcome {
+fn solid_angle_is_of_published_alone<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
     for quantity in [Quantity::Irradiance, Quantity::GlossyRadiance] {
         let shaded = |fidelity, solid_angle| {
             let settings = [("fidelity", fidelity), ("solid_angle", solid_angle)];
-            shaded(stage, &SUBJECTS[0], quantity, &settings)
+            shaded(stage, subject, quantity, &settings)
         };
         ensure!(
             shaded("corrected", "text")? == shaded("corrected", "shader")?,
@@ -92,8 +86,7 @@ fn solid_angle_is_of_published_alone<S: Stage>(stage: &S) -> Outcome {
 }
 
 /// Without a lobe the published radiance is k_d·E, the corrected one k_d/π·E.
-fn diffuse_lacks_one_over_pi_in_published<S: Stage>(stage: &S) -> Outcome {
-    let subject = &SUBJECTS[0];
+fn diffuse_lacks_one_over_pi_in_published<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
     let matte = |p: Point| {
         let mut p = p;
         p.material.specular = Vec3::ZERO;
@@ -125,8 +118,8 @@ fn diffuse_lacks_one_over_pi_in_published<S: Stage>(stage: &S) -> Outcome {
 }
 
 /// At x = o both solid angles are those from o: Δω' in published, the exact Δω in corrected.
-fn fidelities_meet_at_the_reference_point<S: Stage>(stage: &S) -> Outcome {
-    let points = UNIFORM.points(Quantity::Irradiance.layout());
+fn fidelities_meet_at_the_reference_point<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
+    let points = subject.points(Quantity::Irradiance.layout());
     for m in [1, 2, 4, 8] {
         let resolution = m.to_string();
         for (fidelity, solid_angle) in [
@@ -139,7 +132,7 @@ fn fidelities_meet_at_the_reference_point<S: Stage>(stage: &S) -> Outcome {
                 ("solid_angle", solid_angle),
                 ("resolution", &resolution),
             ];
-            let estimate = shaded(stage, &UNIFORM, Quantity::Irradiance, &settings)?;
+            let estimate = shaded(stage, subject, Quantity::Irradiance, &settings)?;
             let omega = |column, row, l: f64| match (fidelity, solid_angle) {
                 ("corrected", _) => texel_solid_angle_sr(m, column, row),
                 (_, "text") => 4.0 / (f64::from(m * m) * l.powi(3) + 4.0 / PI),

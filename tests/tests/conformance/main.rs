@@ -5,6 +5,7 @@
 
 mod bits;
 mod errata;
+mod form_factors;
 mod needs;
 mod parity;
 mod path_reference;
@@ -26,6 +27,7 @@ fn main() {
         bits::trials(),
         parity::trials(),
         errata::trials(),
+        form_factors::trials(),
         path_reference::trials(),
         room::trials(),
         room_ties::trials(),

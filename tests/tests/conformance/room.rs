@@ -3,11 +3,11 @@
 use crate::ensure;
 use crate::room_ties::{self, Light, Sum};
 use crate::subjects::{ROOM_ORIGIN, Subject, shared_points};
-use crate::world::{Outcome, Variant, cpu_stage, gpu_stage, ignored, on_gpu, run};
+use crate::world::{Outcome, Variant, configured, cpu_stage, gpu_stage, ignored, on_gpu, run};
 use glam::{DVec3, Vec3};
 use interreflect::stage::Stage;
 use interreflect_conformance::tolerance::Tolerance;
-use interreflect_estimators::{Quantity, Registry};
+use interreflect_estimators::Quantity;
 use interreflect_scene::{Point, PointLayout, Points, SceneRequest, open};
 use libtest_mimic::{Failed, Trial};
 use std::collections::BTreeMap;
@@ -169,17 +169,12 @@ struct Case {
 
 impl Case {
     fn new(column: &str, id: &str, settings: &[(&str, &str)]) -> Self {
-        let registry = Registry::builtin();
-        let mut method = registry.get(id).expect("a registered method").configure();
-        for (name, value) in settings {
-            method.set(name, value).expect("a parameter of the method");
-        }
+        let variant = configured(id, Quantity::Irradiance, settings);
         Self {
             column: column.into(),
-            variant: Variant {
-                method,
-                quantity: Quantity::Irradiance,
-            },
+            variant: variant
+                .map_err(|e| e.message().unwrap_or_default().to_owned())
+                .expect("a method with these parameters"),
         }
     }
 
@@ -283,7 +278,8 @@ fn table(readme: &str, column: &str) -> Option<Vec<(f64, f64)>> {
         m => place.into_iter().position(|w| w[1..] == *m)?,
     };
     let value = |cell: &str| {
-        let text = cell.split('/').nth(place)?.trim();
+        // Thousands are set apart by a space.
+        let text = cell.split('/').nth(place)?.replace(' ', "");
         let decimals = text.split_once('.').map_or(0, |(_, d)| d.len());
         Some((text.parse().ok()?, 0.5 * 0.1_f64.powi(decimals as i32)))
     };

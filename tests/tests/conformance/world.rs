@@ -90,6 +90,38 @@ pub(crate) fn variants(captured: u32) -> Vec<Variant> {
     variants
 }
 
+/// A method of this id with these parameters set.
+pub(crate) fn configured(
+    id: &str,
+    quantity: Quantity,
+    settings: &[(&str, &str)],
+) -> Result<Variant, Failed> {
+    let mut method = Registry::builtin().get(id)?.configure();
+    for (name, value) in settings {
+        method.set(name, value)?;
+    }
+    Ok(Variant { method, quantity })
+}
+
+/// A check on a stage of either backend.
+type Check<S> = fn(&S, &'static Subject) -> Outcome;
+
+/// One trial on each backend.
+pub(crate) fn on_both(
+    name: &str,
+    subject: impl Fn() -> &'static Subject + Copy + Send + 'static,
+    cpu: Check<CpuStage<'static>>,
+    gpu: Check<GpuStage>,
+) -> [Trial; 2] {
+    let on_cpu = Trial::test(format!("{name}/cpu"), move || {
+        cpu(&cpu_stage(subject()), subject())
+    });
+    let on_device = on_gpu(format!("{name}/gpu"), move |context| {
+        gpu(&gpu_stage(context, subject())?, subject())
+    });
+    [on_cpu, on_device]
+}
+
 /// A scene on the CPU.
 pub(crate) fn cpu_stage(subject: &Subject) -> CpuStage<'static> {
     CpuStage {

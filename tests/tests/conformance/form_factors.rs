@@ -1,0 +1,235 @@
+//! What form factors of points and polygons must give, and how they must fail.
+
+use crate::ensure;
+use crate::subjects::{ROOM_ORIGIN, ROOM_RADIANCES, SUBJECTS, Subject, box_with, inside};
+use crate::world::{Outcome, configured, on_both, run};
+use glam::{DVec3, Vec3};
+use interreflect::stage::Stage;
+use interreflect_estimators::Quantity;
+use interreflect_scene::conventions::{cube_vector, texel_centre};
+use interreflect_scene::{Estimate, Point, PointLayout, Points, SceneRequest, open};
+use libtest_mimic::{Failed, Trial};
+use std::f64::consts::PI;
+use std::sync::LazyLock;
+
+pub(crate) fn trials() -> Vec<Trial> {
+    macro_rules! both {
+        ($check:ident, $subject:expr) => {
+            on_both(
+                concat!("form_factors/", stringify!($check)),
+                || $subject,
+                $check,
+                $check,
+            )
+        };
+    }
+    [
+        both!(polygons_close_a_furnace, &UNIFORM),
+        both!(published_polygons_do_not_close_it, &UNIFORM),
+        both!(point_lights_spike_along_a_wall, &ROOM),
+        both!(polygons_do_not_spike_along_a_wall, &ROOM),
+        both!(switches_of_polygons_change_what_they_should, &DIVIDED),
+        both!(polygons_at_infinity_are_classic_mapping, &SUBJECTS[4]),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
+
+/// The box with walls of radiance 1 and with its own radiances, with points all over it.
+static UNIFORM: LazyLock<Subject> = LazyLock::new(|| box_with([1.0; 6], inside(300)));
+static ROOM: LazyLock<Subject> = LazyLock::new(|| box_with(ROOM_RADIANCES, inside(300)));
+
+/// A room with a divider, points on both sides of it: from the far side, what is seen from the
+/// reference point faces away.
+static DIVIDED: LazyLock<Subject> = LazyLock::new(|| {
+    let scene = open(&SceneRequest::new("divided-room")).expect("a library scene");
+    Subject::new("divided-room", &scene, inside(300))
+});
+
+fn irradiance<S: Stage>(
+    stage: &S,
+    subject: &Subject,
+    id: &str,
+    settings: &[(&str, &str)],
+    points: &Points,
+) -> Result<Estimate, Failed> {
+    let variant = configured(id, Quantity::Irradiance, settings)?;
+    run(stage, subject, &variant, points)
+}
+
+/// Values at the points that have a surface.
+fn values(points: &Points, estimate: &Estimate) -> Vec<f64> {
+    let shaded = points.iter().zip(estimate.iter());
+    shaded
+        .filter_map(|(point, e)| point.map(|_| f64::from(e.x)))
+        .collect()
+}
+
+/// Inside a closed mesh of radiance 1 the irradiance is π. What is left of it is where a texel's
+/// quadrilateral cuts off an edge of the box: half a percent at M = 8.
+fn polygons_close_a_furnace<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
+    let points = subject.points(PointLayout::Surface);
+    for (corners, facing) in [
+        ("exact", "clamped"),
+        ("exact", "signed"),
+        ("seamless", "signed"),
+    ] {
+        let settings = [
+            ("fidelity", "corrected"),
+            ("resolution", "8"),
+            ("corners", corners),
+            ("facing", facing),
+        ];
+        let estimate = irradiance(stage, subject, "polygon_form_factor", &settings, &points)?;
+        let bound = if corners == "exact" { 0.005 } else { 0.02 };
+        for (i, e) in values(&points, &estimate).into_iter().enumerate() {
+            ensure!(
+                (e / PI - 1.0).abs() < bound,
+                "{corners}, {facing}, point {i}: {e}"
+            );
+        }
+    }
+    Ok(())
+}
+
+/// The reused angle and the missing clip: some points get a tenth more or less than π.
+fn published_polygons_do_not_close_it<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
+    let points = subject.points(PointLayout::Surface);
+    let settings = [("fidelity", "published"), ("resolution", "8")];
+    let estimate = irradiance(stage, subject, "polygon_form_factor", &settings, &points)?;
+    let worst = values(&points, &estimate)
+        .into_iter()
+        .map(|e| (e / PI - 1.0).abs())
+        .fold(0.0, f64::max);
+    ensure!(worst > 0.1, "published is within {worst:.3} of π");
+    Ok(())
+}
+
+/// Gap between the wall and the points of a scan along it, in metres.
+const GAP_M: f64 = 1e-3;
+
+/// Points along the +x wall, facing it, on a line through the centres of the texels of M = 4 in
+/// their second row: one at each centre, and so many steps between that the spikes, about as wide as
+/// the gap, are resolved.
+fn scan() -> Points {
+    let m = 4;
+    let origin = ROOM_ORIGIN.as_dvec3();
+    let on_wall = |column: u32| {
+        let l = cube_vector(0, texel_centre(m, column), texel_centre(m, 1));
+        origin + l * ((1.0 - origin.x) / l.x)
+    };
+    let (first, last) = (on_wall(0), on_wall(m - 1));
+    let steps = 1024 * (m - 1);
+    let points = (0..=steps).map(|k| {
+        let at = first.lerp(last, f64::from(k) / f64::from(steps));
+        Some(Point {
+            position: (at - DVec3::X * GAP_M).as_vec3(),
+            normal: Vec3::X,
+            ..Point::default()
+        })
+    });
+    Points::new(PointLayout::Surface, points)
+}
+
+/// Largest value, and the mean.
+fn peak(points: &Points, estimate: &Estimate) -> (f64, f64) {
+    let values = values(points, estimate);
+    let mean = values.iter().sum::<f64>() / values.len() as f64;
+    (values.into_iter().fold(0.0, f64::max), mean)
+}
+
+/// Near a texel's centre a point light is singular: there it exceeds the mean of the scan by two
+/// orders of magnitude or more. `clamp` bounds it: each of 96 texels counts so much solid angle at
+/// most, and the walls' radiance is 1 at most.
+fn point_lights_spike_along_a_wall<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
+    let points = scan();
+    let estimate = irradiance(stage, subject, "point_form_factor", &[], &points)?;
+    let (free, mean) = peak(&points, &estimate);
+    ensure!(
+        free > 100.0 * mean,
+        "the peak is {free:.1}, the mean {mean:.3}"
+    );
+    for clamp in ["0.1", "1"] {
+        let settings = [("clamp", clamp)];
+        let estimate = irradiance(stage, subject, "point_form_factor", &settings, &points)?;
+        let (clamped, _) = peak(&points, &estimate);
+        let bound = 96.0 * clamp.parse::<f64>()?;
+        ensure!(clamped <= bound, "clamp {clamp} leaves {clamped:.2}");
+        ensure!(
+            clamped < free / 100.0,
+            "clamp {clamp} leaves {clamped:.2} of {free:.2}"
+        );
+    }
+    Ok(())
+}
+
+/// The same scan with polygons: nowhere more than what the brightest wall could give.
+fn polygons_do_not_spike_along_a_wall<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
+    let points = scan();
+    let settings = [("fidelity", "corrected")];
+    let estimate = irradiance(stage, subject, "polygon_form_factor", &settings, &points)?;
+    let (highest, _) = peak(&points, &estimate);
+    let brightest = PI * f64::from(ROOM_RADIANCES[0]);
+    // Quadrilaterals that cut the box's edges off may overlap a little.
+    ensure!(highest < 1.05 * brightest, "{highest} of {brightest}");
+    Ok(())
+}
+
+/// Each switch of `polygon_form_factor` changes the fidelity that it belongs to.
+fn switches_of_polygons_change_what_they_should<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
+    let points = subject.points(PointLayout::Surface);
+    let with = |settings: &[(&str, &str)]| {
+        irradiance(stage, subject, "polygon_form_factor", settings, &points)
+    };
+    let published = with(&[])?;
+    let corrected = with(&[("fidelity", "corrected")])?;
+    ensure!(published != corrected, "the fidelities are the same");
+    ensure!(
+        published == with(&[("corners", "per_face"), ("radiance", "centre")])?,
+        "published has other defaults than the paper"
+    );
+    ensure!(
+        published == with(&[("facing", "signed")])?,
+        "facing changes what published gives"
+    );
+    ensure!(
+        corrected == with(&[("fidelity", "corrected"), ("corners", "exact")])?,
+        "corrected has no exact corners by itself"
+    );
+    for fidelity in ["published", "corrected"] {
+        let base = with(&[("fidelity", fidelity)])?;
+        let mut switches = vec![
+            ("radiance", "corners"),
+            ("corners", "nearest"),
+            ("corners", "seamless"),
+        ];
+        if fidelity == "corrected" {
+            switches.push(("corners", "per_face"));
+            switches.push(("facing", "signed"));
+        }
+        for switch in switches {
+            ensure!(
+                base != with(&[("fidelity", fidelity), switch])?,
+                "{switch:?} changes nothing in {fidelity}"
+            );
+        }
+    }
+    Ok(())
+}
+
+/// Where nothing has a place, quadrilaterals are texels of a map at infinity. The two sum the same
+/// texels: 8² against 32² of a smooth environment, and a bilinear lookup of 32 cells.
+fn polygons_at_infinity_are_classic_mapping<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
+    let points = subject.points(PointLayout::Surface);
+    let settings = [("fidelity", "corrected"), ("resolution", "16")];
+    let polygons = irradiance(stage, subject, "polygon_form_factor", &settings, &points)?;
+    let classic = irradiance(stage, subject, "classic_envmap", &[], &points)?;
+    let pairs = values(&points, &polygons)
+        .into_iter()
+        .zip(values(&points, &classic));
+    for (i, (a, b)) in pairs.enumerate() {
+        ensure!((a / b - 1.0).abs() < 4e-3, "point {i}: {a} and {b}");
+    }
+    Ok(())
+}
