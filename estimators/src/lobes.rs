@@ -3,30 +3,33 @@
 use crate::backend::{Backend, Changed, Inputs};
 use crate::error::{EstimatorError, Unsupported};
 use crate::quantity::Quantity;
+use glam::Vec3;
 
 /// Lobes that tables or filtered maps are kept for.
 pub(crate) const MAX_LOBES: usize = 8;
 
-/// What `of` makes of the points' Blinn–Phong exponents, each once, ascending; none for quantities
-/// without a lobe. `kept` are those of the session's last `prepare`: they hold until the points
-/// change.
+/// What `of` makes of the Blinn–Phong exponents of points with a specular lobe, each once, ascending;
+/// none for quantities without one. `kept` are those of the session's last `prepare`: they hold until
+/// the points change.
 ///
 /// # Errors
 /// [`Unsupported`] for more than [`MAX_LOBES`].
 pub(crate) fn lobes<B: Backend>(
     quantity: Quantity,
     inputs: &Inputs<'_, B>,
-    kept: Vec<f32>,
+    kept: Option<Vec<f32>>,
     of: fn(f32) -> f32,
 ) -> Result<Vec<f32>, EstimatorError> {
     if quantity != Quantity::GlossyRadiance {
         return Ok(Vec::new());
     }
-    if !(kept.is_empty() || inputs.changed.any(Changed::POINTS)) {
+    let holds = |kept: &Vec<f32>| !(kept.is_empty() || inputs.changed.any(Changed::POINTS));
+    if let Some(kept) = kept.filter(holds) {
         return Ok(kept);
     }
     let mut exponents: Vec<f32> = Vec::new();
-    for point in inputs.host_points.iter().flatten() {
+    let shining = inputs.host_points.iter().flatten();
+    for point in shining.filter(|p| p.material.specular != Vec3::ZERO) {
         let exponent = of(point.material.shininess);
         if let Err(place) = exponents.binary_search_by(|e| e.total_cmp(&exponent)) {
             exponents.insert(place, exponent);
@@ -38,9 +41,6 @@ pub(crate) fn lobes<B: Backend>(
             ))
             .into());
         }
-    }
-    if exponents.is_empty() {
-        exponents.push(0.0);
     }
     Ok(exponents)
 }

@@ -8,6 +8,7 @@ use std::time::Instant;
 pub struct GpuCx {
     context: Arc<GpuContext>,
     encoder: wgpu::CommandEncoder,
+    passes: Vec<&'static str>,
 }
 
 impl GpuCx {
@@ -15,7 +16,19 @@ impl GpuCx {
         Self {
             context: Arc::clone(context),
             encoder: open(context),
+            passes: Vec::new(),
         }
+    }
+
+    /// Labels of the passes that were recorded so far, in order: what the work asks of the device.
+    pub fn passes(&self) -> &[&'static str] {
+        &self.passes
+    }
+
+    /// The encoder, for a pass of this label.
+    pub(crate) fn begin(&mut self, label: &'static str) -> &mut wgpu::CommandEncoder {
+        self.passes.push(label);
+        &mut self.encoder
     }
 
     /// The context that records.

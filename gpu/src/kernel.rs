@@ -57,7 +57,7 @@ impl Kernel {
     /// Records a dispatch of `workgroups` in a compute pass of its own.
     pub fn record(&self, cx: &mut GpuCx, workgroups: [u32; 3]) {
         let mut pass = cx
-            .encoder()
+            .begin(self.label)
             .begin_compute_pass(&wgpu::ComputePassDescriptor {
                 label: Some(self.label),
                 timestamp_writes: None,

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "tests")]
 
+use interreflect_scene::params::{FieldInfo, Value};
 use std::path::Path;
 
 fn root() -> &'static Path {
@@ -98,13 +99,58 @@ fn every_test_that_papers_names_exists() {
     assert!(rows_checked > 10, "only {rows_checked} rows name tests");
 }
 
+/// Set to 1 to write the tables of parameters instead of comparing them.
+const WRITE: &str = "INTERREFLECT_WRITE_TABLES";
+
+const TABLE: [&str; 2] = ["<!-- parameters -->\n", "<!-- /parameters -->"];
+
+/// Every estimator has a README, with the table of its parameters as they are declared.
 #[test]
-fn every_estimator_has_a_readme() {
+fn readmes_have_the_parameters_as_declared() {
     for entry in interreflect_estimators::Registry::builtin().entries() {
         let id = entry.info().id;
-        let readme = root().join(format!("estimators/src/{id}/README.md"));
-        assert!(readme.exists(), "{} is missing", readme.display());
+        let path = root().join(format!("estimators/src/{id}/README.md"));
+        let text = std::fs::read_to_string(&path)
+            .unwrap_or_else(|e| panic!("{} is missing: {e}", path.display()));
+        let (before, rest) = text
+            .split_once(TABLE[0])
+            .unwrap_or_else(|| panic!("{} has no place for its parameters", path.display()));
+        let (found, after) = rest.split_once(TABLE[1]).unwrap();
+        let declared = table(&entry.configure().values());
+        if std::env::var_os(WRITE).is_some_and(|v| v == "1") {
+            let whole = [before, TABLE[0], &declared, TABLE[1], after].concat();
+            std::fs::write(&path, whole).unwrap();
+            continue;
+        }
+        assert_eq!(
+            found,
+            declared,
+            "{}: the parameters are declared otherwise; {WRITE}=1 cargo test -p interreflect \
+             --test documents writes the table",
+            path.display()
+        );
     }
+}
+
+/// Parameters as a table in Markdown.
+fn table(values: &[(FieldInfo, Value)]) -> String {
+    let mut table =
+        String::from("| parameter | default | values | what it is |\n|---|---|---|---|\n");
+    for (field, default) in values {
+        let symbol = match field.symbol {
+            "" => String::new(),
+            symbol => format!(" ({symbol})"),
+        };
+        let values = format!("{} {}", field.domain, field.unit);
+        let row = [
+            &format!("`{}`{symbol}", field.name),
+            &default.to_string(),
+            values.trim(),
+            field.doc,
+        ];
+        table += &format!("| {} |\n", row.join(" | "));
+    }
+    table
 }
 
 #[test]

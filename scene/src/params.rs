@@ -68,6 +68,17 @@ pub enum Domain {
     OneOf(Vec<&'static str>),
 }
 
+impl fmt::Display for Domain {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::U32 { min, max, .. } => write!(f, "{min} to {max}"),
+            Self::F32 { min, max, .. } => write!(f, "{min} to {max}"),
+            Self::Bool => f.write_str("true, false"),
+            Self::OneOf(names) => f.write_str(&names.join(", ")),
+        }
+    }
+}
+
 /// How a range is stepped through.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scale {

@@ -20,7 +20,7 @@ use std::f64::consts::FRAC_1_PI;
 pub struct State {
     averaging: Kept<LocalizedCubemapParams, average::Tables>,
     texels: Option<Vec<Texel>>,
-    reflectivity: Tables,
+    reflectivity: Option<Tables>,
 }
 
 impl Estimator<Cpu> for LocalizedCubemap {
@@ -41,10 +41,10 @@ impl Estimator<Cpu> for LocalizedCubemap {
             state.texels = Some(averaging.average(captured));
         }
         if params.reflectivity == Reflectivity::Table {
-            let kept = state.reflectivity.lobes.clone();
-            let lobes = lobes(quantity, inputs, kept, |n| n)?;
-            if state.reflectivity.values.is_empty() || lobes != state.reflectivity.lobes {
-                state.reflectivity = Tables::new(lobes);
+            let kept = state.reflectivity.as_ref().map(|t| t.lobes.clone());
+            let lobes = lobes(quantity, inputs, kept.clone(), |n| n)?;
+            if kept.as_ref() != Some(&lobes) {
+                state.reflectivity = Some(Tables::new(lobes));
             }
         }
         Ok(())
@@ -61,7 +61,6 @@ impl Estimator<Cpu> for LocalizedCubemap {
         let texels = state.texels.as_ref().ok_or(EstimatorError::Unprepared)?;
         let at = (quantity, inputs.points);
         let texels = (inputs.reference_point.to_array(), texels.as_slice());
-        let tables = &state.reflectivity;
         match (params.fidelity, params.reflectivity) {
             (Fidelity::Published, Reflectivity::Sample) => {
                 gather(cx, at, texels, Published, out);
@@ -69,11 +68,17 @@ impl Estimator<Cpu> for LocalizedCubemap {
             (Fidelity::Corrected, Reflectivity::Sample) => {
                 gather(cx, at, texels, Corrected, out);
             }
-            (Fidelity::Published, Reflectivity::Table) => {
-                gather(cx, at, texels, Averaged::<false>(tables), out);
-            }
-            (Fidelity::Corrected, Reflectivity::Table) => {
-                gather(cx, at, texels, Averaged::<true>(tables), out);
+            (fidelity, Reflectivity::Table) => {
+                let tables = state.reflectivity.as_ref();
+                let tables = tables.ok_or(EstimatorError::Unprepared)?;
+                match fidelity {
+                    Fidelity::Published => {
+                        gather(cx, at, texels, Averaged::<false>(tables), out);
+                    }
+                    Fidelity::Corrected => {
+                        gather(cx, at, texels, Averaged::<true>(tables), out);
+                    }
+                }
             }
         }
         Ok(())

@@ -133,7 +133,7 @@ fn reflectivity(
         Reflectivity::Sample => Vec::new(),
         Reflectivity::Table => {
             let known = kept.as_ref().map(|k| k.exponents.clone());
-            lobes(quantity, inputs, known.unwrap_or_default(), |n| n)?
+            lobes(quantity, inputs, known, |n| n)?
         }
     };
     match (kept, params.reflectivity) {

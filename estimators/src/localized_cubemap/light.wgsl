@@ -59,7 +59,8 @@ fn texel_lobe(shininess: f32) -> TexelLobe {
             table++;
         }
     }
-    return TexelLobe(shininess, lobe_normalisation(shininess), 1u + table);
+    // Without lobes nothing shines, and any table will do.
+    return TexelLobe(shininess, lobe_normalisation(shininess), min(1u + table, lobes.count));
 }
 
 fn texel_reflectivity(lobe: TexelLobe, n_i: f32, n_v: f32, n_h: f32, omega: f32) -> Reflectivity {

@@ -35,8 +35,9 @@ impl Tables {
     /// Which table belongs to a lobe of this exponent.
     #[inline(always)]
     pub(super) fn of_lobe(&self, shininess: f32) -> usize {
+        // Without lobes nothing shines, and any table will do.
         let later = self.lobes.iter().position(|e| *e >= shininess);
-        1 + later.unwrap_or(self.lobes.len().saturating_sub(1))
+        later.map_or(self.lobes.len(), |place| 1 + place)
     }
 
     /// Bilinear values of a table for each lane.

@@ -117,7 +117,7 @@ pub(crate) fn array_view(texture: &wgpu::Texture) -> wgpu::TextureView {
 /// Begins a pass that clears its targets to 0 and its depth to infinity.
 pub(crate) fn begin_pass<'a>(
     cx: &'a mut GpuCx,
-    label: &str,
+    label: &'static str,
     targets: &[Option<wgpu::TextureView>],
     depth: &wgpu::TextureView,
 ) -> wgpu::RenderPass<'a> {
@@ -131,19 +131,20 @@ pub(crate) fn begin_pass<'a>(
         },
     };
     let targets: Vec<_> = targets.iter().map(|t| t.as_ref().map(attachment)).collect();
-    cx.encoder().begin_render_pass(&wgpu::RenderPassDescriptor {
-        label: Some(label),
-        color_attachments: &targets,
-        depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
-            view: depth,
-            depth_ops: Some(wgpu::Operations {
-                load: wgpu::LoadOp::Clear(0.0),
-                store: wgpu::StoreOp::Discard,
+    cx.begin(label)
+        .begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some(label),
+            color_attachments: &targets,
+            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+                view: depth,
+                depth_ops: Some(wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(0.0),
+                    store: wgpu::StoreOp::Discard,
+                }),
+                stencil_ops: None,
             }),
-            stencil_ops: None,
-        }),
-        timestamp_writes: None,
-        occlusion_query_set: None,
-        multiview_mask: None,
-    })
+            timestamp_writes: None,
+            occlusion_query_set: None,
+            multiview_mask: None,
+        })
 }

@@ -6,7 +6,7 @@ use crate::error::HarnessError;
 use interreflect_estimators::{Configured, Registry};
 use interreflect_scene::library::library;
 use interreflect_scene::load::{SceneRequest, open};
-use interreflect_scene::params::{Domain, FieldInfo, Value};
+use interreflect_scene::params::{FieldInfo, Value};
 use interreflect_scene::{Needs, Scene};
 use serde_json::{Map, Value as Json, json};
 
@@ -50,9 +50,15 @@ pub(super) fn run(command: &List, registry: Registry) -> Result<(), HarnessError
         print_line(&format!("  {}", interreflect_gpu::GpuError::NoAdapter))?;
     }
     if let Some(needs) = needs {
-        print_line("\nNeeds (of the first quantity)")?;
-        for (scene, id, needed) in needs {
-            print_line(&format!("  {scene:<16} {id:<20} {needed}"))?;
+        print_line("\nNeeds")?;
+        for Needed {
+            scene,
+            id,
+            quantity,
+            needs,
+        } in needs
+        {
+            print_line(&format!("  {scene:<14} {id:<20} {quantity:<18} {needs}"))?;
         }
     }
     Ok(())
@@ -67,7 +73,7 @@ fn backends(registry: &Registry, id: &str) -> Vec<&'static str> {
 fn print_fields(prefix: &str, fields: &[(FieldInfo, Value)]) -> Result<(), HarnessError> {
     for (field, value) in fields {
         let name = format!("{prefix}{}", field.name);
-        let domain = domain(&field.domain);
+        let domain = &field.domain;
         let unit = if field.unit.is_empty() {
             String::new()
         } else {
@@ -81,25 +87,28 @@ fn print_fields(prefix: &str, fields: &[(FieldInfo, Value)]) -> Result<(), Harne
     Ok(())
 }
 
-fn domain(domain: &Domain) -> String {
-    match domain {
-        Domain::U32 { min, max, .. } => format!("{min} to {max}"),
-        Domain::F32 { min, max, .. } => format!("{min} to {max}"),
-        Domain::Bool => "true, false".into(),
-        Domain::OneOf(names) => names.join(", "),
-    }
+/// What a method needs for a quantity in a scene.
+struct Needed {
+    scene: &'static str,
+    id: &'static str,
+    quantity: &'static str,
+    needs: String,
 }
-
-type Needed = (String, &'static str, String);
 
 fn needs_of_all(methods: &[Box<dyn Configured>]) -> Result<Vec<Needed>, HarnessError> {
     let mut all = Vec::new();
     for entry in library() {
         let scene: Scene = open(&SceneRequest::new(entry.name))?;
         for method in methods {
-            let needs = method.needs(method.quantities()[0], &scene.facts());
-            let text = needs.map_or_else(|why| why.to_string(), |needs| describe(&needs));
-            all.push((entry.name.to_owned(), method.info().id, text));
+            for quantity in method.quantities() {
+                let needs = method.needs(*quantity, &scene.facts());
+                all.push(Needed {
+                    scene: entry.name,
+                    id: method.info().id,
+                    quantity: quantity.name(),
+                    needs: needs.map_or_else(|why| why.to_string(), |needs| describe(&needs)),
+                });
+            }
         }
     }
     Ok(all)
@@ -114,7 +123,11 @@ fn describe(needs: &Needs) -> String {
             (c.normal, "normal"),
         ];
         let channels: Vec<_> = named.iter().filter(|n| n.0).map(|n| n.1).collect();
-        format!("cube {}² {}", spec.size, channels.join("+"))
+        let bounces = match spec.bounces {
+            0 => String::new(),
+            k => format!(", {k} further bounces"),
+        };
+        format!("cube {}² {}{bounces}", spec.size, channels.join("+"))
     };
     let mut parts: Vec<_> = needs.cubes.iter().map(cube).collect();
     if needs.light_transport {
@@ -131,7 +144,7 @@ fn as_json(
     let fields = |fields: Vec<(FieldInfo, Value)>| -> Json {
         let of = |(f, v): (FieldInfo, Value)| {
             json!({"name": f.name, "symbol": f.symbol, "unit": f.unit, "doc": f.doc,
-                   "default": v.to_string(), "domain": domain(&f.domain)})
+                   "default": v.to_string(), "domain": f.domain.to_string()})
         };
         fields.into_iter().map(of).collect()
     };
@@ -156,7 +169,7 @@ fn as_json(
     all.insert("estimators".into(), estimators.into());
     all.insert("adapters".into(), adapters.into());
     if let Some(needs) = needs {
-        let of = |(scene, id, needs)| json!({"scene": scene, "estimator": id, "needs": needs});
+        let of = |n: Needed| json!({"scene": n.scene, "estimator": n.id, "quantity": n.quantity, "needs": n.needs});
         all.insert("needs".into(), needs.into_iter().map(of).collect());
     }
     Json::Object(all)

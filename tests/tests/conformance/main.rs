@@ -4,6 +4,7 @@
 //! `INTERREFLECT_REQUIRE_GPU=1` they then fail.
 
 mod bits;
+mod costs;
 mod errata;
 mod form_factors;
 mod needs;
@@ -25,6 +26,7 @@ fn main() {
         twins::trials(),
         needs::trials(),
         bits::trials(),
+        costs::trials(),
         parity::trials(),
         errata::trials(),
         form_factors::trials(),

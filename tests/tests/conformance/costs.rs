@@ -1,0 +1,165 @@
+//! What a scene does not have costs no pass.
+
+use crate::ensure;
+use crate::subjects::{SUBJECTS, Subject};
+use crate::world::{Outcome, Variant, captures, gpu_stage, on_gpu, variants};
+use interreflect::stage::{Placed, Stage};
+use interreflect_estimators::{Changed, Inputs, Quantity};
+use interreflect_gpu::{GpuContext, GpuError, capture_cube};
+use interreflect_scene::conventions::CUBE_FACES;
+use interreflect_scene::{CubeSpec, Needs, Point, Points};
+use libtest_mimic::{Failed, Trial};
+use std::sync::Arc;
+
+pub(crate) fn trials() -> Vec<Trial> {
+    vec![
+        on_gpu("costs/no_shadow_pass_without_lights".into(), shadows),
+        on_gpu("costs/no_place_without_surfaces".into(), places),
+        on_gpu("costs/no_lobes_without_speculars".into(), lobes),
+    ]
+}
+
+/// Every method that runs on the device.
+fn on_device() -> impl Iterator<Item = Variant> {
+    variants(32).into_iter().filter(|v| v.gpu().is_ok())
+}
+
+/// Labels of the passes that making the captures takes.
+fn capture_passes(
+    context: &Arc<GpuContext>,
+    subject: &Subject,
+    needs: &Needs,
+) -> Result<Vec<&'static str>, Failed> {
+    let stage = gpu_stage(context, subject)?;
+    let (passes, _) = context.record("capture", |cx| {
+        for spec in &needs.cubes {
+            capture_cube(cx, &stage.scene, *spec)?;
+        }
+        Ok::<_, GpuError>(cx.passes().to_vec())
+    })?;
+    Ok(passes)
+}
+
+/// Labels of the passes of `prepare` and `shade`.
+fn method_passes(
+    context: &Arc<GpuContext>,
+    subject: &Subject,
+    variant: &Variant,
+    points: &Points,
+) -> Result<Vec<&'static str>, Failed> {
+    let stage = gpu_stage(context, subject)?;
+    let (scene, quantity) = (subject.cpu.scene(), variant.quantity);
+    let facts = scene.facts();
+    let needs = variant.method.needs(quantity, &facts)?;
+    let captures = captures(&stage, subject, variant)?;
+    let mut session = stage.open(&*variant.method)?;
+    let Placed {
+        points: placed,
+        mut out,
+    } = stage.place(points)?;
+    let origin = (facts, scene.reference_point);
+    let inputs = Inputs::new(&needs, &captures, &placed, points, origin, Changed::ALL);
+    let mut passes = Vec::new();
+    stage.timed("prepare", &mut |cx| {
+        session.prepare(cx, quantity, &inputs, &out)?;
+        passes.extend_from_slice(cx.passes());
+        Ok(())
+    })?;
+    stage.timed("shade", &mut |cx| {
+        session.shade(cx, quantity, &inputs, &mut out)?;
+        passes.extend_from_slice(cx.passes());
+        Ok(())
+    })?;
+    Ok(passes)
+}
+
+/// Label of the pass that lights need.
+const SHADOWS: &str = "shadow maps";
+
+/// In the emitting box there is no light: no method's captures render shadow maps. In the
+/// coloured room with its lamp those of every method that captures radiance do.
+fn shadows(context: &Arc<GpuContext>) -> Outcome {
+    let [lit, unlit] = [&SUBJECTS[0], &SUBJECTS[3]].map(|s| -> &Subject { s });
+    ensure!(
+        lit.cpu.scene().facts().lights > 0 && unlit.cpu.scene().facts().lights == 0,
+        "the scenes are not what they should be"
+    );
+    for variant in on_device() {
+        for (subject, expected) in [(lit, true), (unlit, false)] {
+            let facts = subject.cpu.scene().facts();
+            let needs = variant.method.needs(variant.quantity, &facts)?;
+            let passes = capture_passes(context, subject, &needs)?;
+            let radiance = needs.cubes.iter().any(|c| c.channels.radiance);
+            ensure!(
+                passes.contains(&SHADOWS) == (expected && radiance),
+                "{} in {}: {passes:?}",
+                variant.name(),
+                subject.name
+            );
+        }
+    }
+    Ok(())
+}
+
+/// Under an open sky nothing has a place: six passes for each cube, one a face, and no channel but
+/// radiance. In a room some method asks for more.
+fn places(context: &Arc<GpuContext>) -> Outcome {
+    let [room, sky] = [&SUBJECTS[3], &SUBJECTS[4]].map(|s| -> &Subject { s });
+    let mut located = 0;
+    for variant in on_device() {
+        let needs_in = |subject: &Subject| {
+            let facts = subject.cpu.scene().facts();
+            variant.method.needs(variant.quantity, &facts)
+        };
+        let has_place = |c: &CubeSpec| c.channels.distance || c.channels.normal;
+        let needs = needs_in(sky)?;
+        ensure!(
+            !needs.cubes.iter().any(has_place),
+            "{} asks for {:?}",
+            variant.name(),
+            needs.cubes
+        );
+        let passes = capture_passes(context, sky, &needs)?;
+        ensure!(
+            passes.len() == CUBE_FACES * needs.cubes.len(),
+            "{}: {passes:?}",
+            variant.name()
+        );
+        located += usize::from(needs_in(room)?.cubes.iter().any(has_place));
+    }
+    ensure!(located > 0, "no method asks for the place of anything");
+    Ok(())
+}
+
+/// Where no surface has a lobe, no pass is for lobes: a method's passes are fewer than where some
+/// have, or the same if it has none for them.
+fn lobes(context: &Arc<GpuContext>) -> Outcome {
+    let [shiny, matte] = [&SUBJECTS[0], &SUBJECTS[3]].map(|s| -> &Subject { s });
+    ensure!(
+        shiny.cpu.scene().facts().speculars && !matte.cpu.scene().facts().speculars,
+        "the scenes are not what they should be"
+    );
+    let mut fewer = 0;
+    for variant in on_device().filter(|v| v.quantity == Quantity::GlossyRadiance) {
+        let of = |subject: &Subject, shines: bool| {
+            let points = subject.points(variant.quantity.layout());
+            let dull = |p: Point| {
+                let mut p = p;
+                p.material.specular *= f32::from(u8::from(shines));
+                p
+            };
+            let points = points.iter().map(|p| p.map(dull));
+            let points = Points::new(variant.quantity.layout(), points);
+            method_passes(context, subject, &variant, &points)
+        };
+        let (with, without) = (of(shiny, true)?, of(matte, false)?);
+        ensure!(
+            without.len() <= with.len(),
+            "{}: {without:?} without lobes, {with:?} with them",
+            variant.name()
+        );
+        fewer += usize::from(without.len() < with.len());
+    }
+    ensure!(fewer > 0, "no method has a pass for lobes");
+    Ok(())
+}
