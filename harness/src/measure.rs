@@ -42,6 +42,7 @@ pub fn measure<S: Stage>(
     } = stage.place(points)?;
     let mut compiled = Compiled::default();
 
+    let solve_ms = stage.solve(&needs)?;
     let (captures, capture_ms) = compiled.repeat(stage, repeat, || stage.capture(&needs))?;
     let inputs = |changed| {
         let origin = (facts, scene.reference_point);
@@ -75,6 +76,7 @@ pub fn measure<S: Stage>(
     Ok(Measured {
         estimate,
         phases: Phases {
+            solve: solve_ms.and_then(|ms| Timing::of(&[ms])),
             capture: (!needs.cubes.is_empty()).then_some(capture_ms).flatten(),
             compile: compiled.ms.and_then(|ms| Timing::of(&[ms])),
             prepare: prepare_ms,

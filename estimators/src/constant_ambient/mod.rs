@@ -36,14 +36,19 @@ impl Method for ConstantAmbient {
         })
     }
 
-    fn model(_params: &Self::Params, _quantity: Quantity) -> OwnModel {
-        OwnModel::MeanRadiance
+    fn model(params: &Self::Params, _quantity: Quantity) -> OwnModel {
+        OwnModel::MeanRadiance {
+            bounces: params.bounces,
+        }
     }
 }
 
 impl ConstantAmbientParams {
     /// The captured cube.
     fn captured(&self) -> CubeSpec {
-        CubeSpec::of_radiance(self.capture_resolution)
+        CubeSpec {
+            bounces: self.bounces,
+            ..CubeSpec::of_radiance(self.capture_resolution)
+        }
     }
 }

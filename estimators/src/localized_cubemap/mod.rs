@@ -40,8 +40,10 @@ impl Method for LocalizedCubemap {
         })
     }
 
-    fn model(_params: &Self::Params, _quantity: Quantity) -> OwnModel {
-        OwnModel::VisibleFromReference
+    fn model(params: &Self::Params, _quantity: Quantity) -> OwnModel {
+        OwnModel::VisibleFromReference {
+            bounces: params.bounces,
+        }
     }
 }
 
@@ -62,7 +64,7 @@ impl LocalizedCubemapParams {
                 distance: scene.surfaces,
                 normal: scene.surfaces && self.fidelity == Fidelity::Corrected,
             },
-            bounces: 0,
+            bounces: self.bounces,
         }
     }
 }

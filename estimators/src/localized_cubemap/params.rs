@@ -26,6 +26,8 @@ pub struct LocalizedCubemapParams {
     pub resolution: u32,
     /// Texels along a face's edge when the environment is captured.
     pub capture_resolution: u32,
+    /// Reflections in the captured radiance beyond that of the lights' light.
+    pub bounces: u32,
     /// The paper as printed, or what it meant.
     pub fidelity: Fidelity,
     /// Which published solid angle.
@@ -37,6 +39,7 @@ impl Default for LocalizedCubemapParams {
         Self {
             resolution: 4,
             capture_resolution: 256,
+            bounces: 0,
             fidelity: Fidelity::Published,
             solid_angle: SolidAngle::Text,
         }
@@ -60,6 +63,7 @@ impl Params for LocalizedCubemapParams {
                 |p: &Self| p.capture_resolution,
                 |p, v| p.capture_resolution = v,
             ),
+            fields::bounces(|p: &Self| p.bounces, |p, v| p.bounces = v),
             Field::fidelity(|p: &Self| p.fidelity, |p, v| p.fidelity = v),
             Field::choice(
                 "solid_angle",

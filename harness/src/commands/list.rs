@@ -114,7 +114,11 @@ fn describe(needs: &Needs) -> String {
             (c.normal, "normal"),
         ];
         let channels: Vec<_> = named.iter().filter(|n| n.0).map(|n| n.1).collect();
-        format!("cube {}² {}", spec.size, channels.join("+"))
+        let bounces = match spec.bounces {
+            0 => String::new(),
+            k => format!(", {k} bounces"),
+        };
+        format!("cube {}² {}{bounces}", spec.size, channels.join("+"))
     };
     let mut parts: Vec<_> = needs.cubes.iter().map(cube).collect();
     if needs.light_transport {

@@ -4,6 +4,7 @@
 //! `INTERREFLECT_REQUIRE_GPU=1` they then fail.
 
 mod bits;
+mod bounces;
 mod errata;
 mod needs;
 mod parity;
@@ -25,6 +26,7 @@ fn main() {
         needs::trials(),
         bits::trials(),
         parity::trials(),
+        bounces::trials(),
         errata::trials(),
         path_reference::trials(),
         room::trials(),
