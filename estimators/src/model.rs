@@ -8,6 +8,9 @@ use interreflect_cpu::path_tracer::LightPaths;
 /// with full light transport (what the model leaves out). Both fidelities of a method share one
 /// model and the normalised reflectance of the `corrected` form, so an erratum shows as an error.
 ///
+/// The reference point is where captures are wanted: that a method uses kept ones, made elsewhere, is
+/// an error of the method and shows as one.
+///
 /// The first three take radiance as captures hold it, with as many `bounces` of the coarse solution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum OwnModel {

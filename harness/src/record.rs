@@ -152,7 +152,8 @@ pub struct Phases {
     /// it done, this is still what it took.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub solve: Option<Timing>,
-    /// Taking the captures that the method declared.
+    /// Taking the captures that the method declared; `None` where there are none, or where those of
+    /// an earlier frame are kept.
     pub capture: Option<Timing>,
     /// Pipeline-cache misses and the first run's excess.
     pub compile: Option<Timing>,

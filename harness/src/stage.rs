@@ -47,7 +47,8 @@ pub trait Stage {
     /// [`EstimatorError`] if the backend refuses.
     fn solve(&self, needs: &Needs) -> Result<Option<f64>, EstimatorError>;
 
-    /// Makes every capture that is needed; milliseconds, without those of [`Stage::solve`].
+    /// Makes every capture that is needed, those that would be kept too, where they were made;
+    /// milliseconds, without those of [`Stage::solve`].
     ///
     /// # Errors
     /// [`EstimatorError`] if the backend refuses.
@@ -125,7 +126,7 @@ impl Stage for CpuStage<'_> {
 
     fn capture(&self, needs: &Needs) -> Result<(Captures<Cpu>, f64), EstimatorError> {
         self.solve(needs)?;
-        let origin = self.scene.scene().reference_point;
+        let origin = self.scene.scene().capture_origin(needs.keep_within_m);
         let mut captures = Captures::default();
         let start = Instant::now();
         for spec in &needs.cubes {
@@ -227,7 +228,8 @@ impl Stage for GpuStage<'_> {
     fn capture(&self, needs: &Needs) -> Result<(Captures<Gpu>, f64), EstimatorError> {
         self.solve(needs)?;
         let coarse = self.coarse.borrow();
-        let origin = self.host.scene.scene().reference_point;
+        let scene = self.host.scene.scene();
+        let origin = scene.capture_origin(needs.keep_within_m);
         let mut captures = Captures::default();
         let (_, time) = self.context.record("capture", |cx| {
             for spec in &needs.cubes {

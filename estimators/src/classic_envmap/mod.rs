@@ -37,7 +37,7 @@ impl Method for ClassicEnvmap {
     ) -> Result<Needs, Unsupported> {
         Ok(Needs {
             cubes: [params.captured()].into(),
-            light_transport: false,
+            ..Needs::default()
         })
     }
 

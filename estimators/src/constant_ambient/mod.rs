@@ -32,7 +32,7 @@ impl Method for ConstantAmbient {
     ) -> Result<Needs, Unsupported> {
         Ok(Needs {
             cubes: [params.captured()].into(),
-            light_transport: false,
+            ..Needs::default()
         })
     }
 

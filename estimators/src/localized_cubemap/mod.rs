@@ -36,6 +36,7 @@ impl Method for LocalizedCubemap {
     ) -> Result<Needs, Unsupported> {
         Ok(Needs {
             cubes: [params.captured(scene)].into(),
+            keep_within_m: params.recapture_distance,
             ..Needs::default()
         })
     }

@@ -28,6 +28,9 @@ pub struct LocalizedCubemapParams {
     pub capture_resolution: u32,
     /// Reflections in the captured radiance beyond that of the lights' light.
     pub bounces: u32,
+    /// Distance in metres of the reference point from where captures were made, up to which they are
+    /// kept (P1 §2).
+    pub recapture_distance: f32,
     /// The paper as printed, or what it meant.
     pub fidelity: Fidelity,
     /// Which published solid angle.
@@ -40,6 +43,7 @@ impl Default for LocalizedCubemapParams {
             resolution: 4,
             capture_resolution: 256,
             bounces: 0,
+            recapture_distance: 0.0,
             fidelity: Fidelity::Published,
             solid_angle: SolidAngle::Text,
         }
@@ -64,6 +68,10 @@ impl Params for LocalizedCubemapParams {
                 |p, v| p.capture_resolution = v,
             ),
             fields::bounces(|p: &Self| p.bounces, |p, v| p.bounces = v),
+            fields::recapture_distance(
+                |p: &Self| p.recapture_distance,
+                |p, v| p.recapture_distance = v,
+            ),
             Field::fidelity(|p: &Self| p.fidelity, |p, v| p.fidelity = v),
             Field::choice(
                 "solid_angle",

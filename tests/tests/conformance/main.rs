@@ -6,6 +6,7 @@
 mod bits;
 mod bounces;
 mod errata;
+mod moved;
 mod needs;
 mod parity;
 mod path_reference;
@@ -26,6 +27,7 @@ fn main() {
         needs::trials(),
         bits::trials(),
         parity::trials(),
+        moved::trials(),
         bounces::trials(),
         errata::trials(),
         path_reference::trials(),

@@ -149,7 +149,7 @@ pub(crate) fn estimate<S: Stage>(
         points: placed,
         mut out,
     } = stage.place(points)?;
-    let origin = (facts, scene.reference_point);
+    let origin = (facts, scene.capture_origin(needs.keep_within_m));
     let inputs = Inputs::new(&needs, captures, &placed, points, origin, Changed::ALL);
     stage.timed("prepare", &mut |cx| {
         session.prepare(cx, quantity, &inputs, &out)
