@@ -54,7 +54,7 @@ impl Lab {
     }
 
     /// The scene on the GPU and how its times are labelled; `None` without an adapter.
-    fn gpu(&self) -> Option<(GpuStage, &'static str)> {
+    fn gpu(&self) -> Option<(GpuStage<'_>, &'static str)> {
         let context = GpuContext::new(None)
             .inspect_err(|e| eprintln!("no GPU benchmarks: {e}"))
             .ok()?;
@@ -64,7 +64,7 @@ impl Lab {
             true => "gpu-software",
             false => "gpu",
         };
-        Some((GpuStage::new(context, scene), label))
+        Some((GpuStage::new(context, scene, self.cpu()), label))
     }
 }
 

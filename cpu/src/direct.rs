@@ -2,7 +2,7 @@
 
 use crate::scene::{CpuScene, Geometry, SurfaceHit};
 use glam::Vec3;
-use interreflect_scene::Incident;
+use interreflect_scene::{CoarseIrradiance, Incident};
 use std::f32::consts::FRAC_1_PI;
 
 /// Light arriving unoccluded at a surface from each of the scene's lights, on the side that the
@@ -23,21 +23,41 @@ pub fn arriving<'a>(
 }
 
 /// Radiance that leaves a surface towards where the ray came from, as captures see it: emission of
-/// the front side plus ρ/π times the irradiance from the scene's lights.
-///
-/// Lambertian reflection is two-sided and follows the triangles' own normals. Mirrors do not
-/// scatter light, so they show their emission only; specular lobes are left out.
-pub fn captured_radiance(scene: &CpuScene, occluders: &Geometry, at: &SurfaceHit) -> Vec3 {
+/// the front side and what [`reflected`] says.
+pub fn captured_radiance(
+    scene: &CpuScene,
+    occluders: &Geometry,
+    at: &SurfaceHit,
+    coarse: Option<&CoarseIrradiance>,
+) -> Vec3 {
     let emitted = if at.front {
         at.material.emission
     } else {
         Vec3::ZERO
     };
+    emitted + reflected(scene, occluders, at, coarse)
+}
+
+/// Radiance that a surface reflects, as captures see it: ρ/π times the irradiance from the scene's
+/// lights and, if there is one, from a coarse solution; the surface is then one of the environment
+/// objects'.
+///
+/// Lambertian reflection is two-sided and follows the triangles' own normals. Mirrors do not
+/// scatter light: they reflect nothing here; specular lobes are left out.
+pub fn reflected(
+    scene: &CpuScene,
+    occluders: &Geometry,
+    at: &SurfaceHit,
+    coarse: Option<&CoarseIrradiance>,
+) -> Vec3 {
     if at.material.mirror || at.material.albedo == Vec3::ZERO {
-        return emitted;
+        return Vec3::ZERO;
     }
-    let irradiance: Vec3 = arriving(scene, occluders, at)
+    let mut irradiance: Vec3 = arriving(scene, occluders, at)
         .map(|light| light.irradiance * at.geometric_normal.dot(light.to_light))
         .sum();
-    emitted + at.material.albedo * FRAC_1_PI * irradiance
+    if let Some(coarse) = coarse {
+        irradiance += coarse.at(at.triangle, at.barycentric, at.front);
+    }
+    at.material.albedo * FRAC_1_PI * irradiance
 }

@@ -2,11 +2,12 @@
 
 use crate::{
     bvh::{Bvh, Hit},
-    path_tracer::emitters::Emitters,
+    path_tracer::{CoarseSolution, emitters::Emitters},
 };
 use glam::{DVec3, Vec3};
-use interreflect_scene::{Material, Mesh, Object, Role, Scene};
-use std::sync::OnceLock;
+use interreflect_scene::{CubeSpec, Material, Mesh, Object, Role, Scene};
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 /// Largest coordinate that ray queries take; areas of boxes must not overflow f32.
 const LARGEST_COORDINATE: f32 = 1e15;
@@ -53,6 +54,8 @@ pub struct CpuScene {
     environment: Geometry,
     everything: OnceLock<Geometry>,
     has_receivers: bool,
+    /// By number of reflections.
+    coarse: Mutex<BTreeMap<u32, Arc<CoarseSolution>>>,
 }
 
 /// Triangles of some of the scene's objects with a tree over them.
@@ -85,6 +88,8 @@ pub struct SurfaceHit {
     pub role: Role,
     /// Index of the triangle in its [`Geometry`].
     pub triangle: u32,
+    /// Weights of the triangle's corners 1 and 2.
+    pub barycentric: [f32; 2],
 }
 
 impl CpuScene {
@@ -102,6 +107,7 @@ impl CpuScene {
             has_receivers: scene
                 .objects_of(Role::Receiver)
                 .any(|o| !o.mesh.triangles.is_empty()),
+            coarse: Mutex::default(),
         })
     }
 
@@ -161,7 +167,27 @@ impl CpuScene {
             material: self.scene.materials[mesh.materials[local] as usize],
             role: object.role,
             triangle: hit.triangle,
+            barycentric: [hit.barycentric[1], hit.barycentric[2]].map(|weight| weight as f32),
         }
+    }
+
+    /// The coarse solution of a number of further reflections (at least 1), computed when it is
+    /// first asked for. Where several threads ask at once, each may compute it, with the same result.
+    pub fn coarse_solution(&self, bounces: u32) -> Arc<CoarseSolution> {
+        let known = || self.coarse.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(found) = known().get(&bounces) {
+            return found.clone();
+        }
+        // Not under the lock: a thread of the pool that waits for its own part may be given work
+        // that asks for the same solution.
+        let solved = Arc::new(CoarseSolution::new(self, bounces));
+        known().entry(bounces).or_insert(solved).clone()
+    }
+
+    /// The coarse solution that a capture's radiance holds; `None` if it holds none.
+    pub fn coarse_for(&self, spec: &CubeSpec) -> Option<Arc<CoarseSolution>> {
+        let asked = spec.channels.radiance && spec.bounces > 0;
+        asked.then(|| self.coarse_solution(spec.bounces))
     }
 }
 

@@ -16,6 +16,7 @@ const ALL: CubeChannels = CubeChannels {
 fn capture(scene: &CpuScene, size: u32) -> CubeImage {
     capture_cube(
         scene,
+        scene.scene().reference_point,
         CubeSpec {
             size,
             channels: ALL,
@@ -81,7 +82,7 @@ fn only_the_channels_that_were_asked_for_are_there() {
             channels,
             bounces: 0,
         };
-        let image = capture_cube(&scene, spec);
+        let image = capture_cube(&scene, Vec3::ZERO, spec);
         assert!(image.radiance.is_empty() != channels.radiance);
         assert!(channels.radiance == (image.radiance == whole.radiance));
         assert!(channels.distance == (image.distance == whole.distance));

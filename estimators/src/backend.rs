@@ -111,7 +111,7 @@ pub struct Inputs<'a, B: Backend> {
     pub points: &'a B::Points,
     /// The same points on the host.
     pub host_points: &'a Points,
-    /// Reference point `o` of the cube captures.
+    /// Reference point `o` of the cube captures, where they were made.
     pub reference_point: Vec3,
     /// What the method was told of the scene when it declared its needs.
     pub scene: SceneFacts,

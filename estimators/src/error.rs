@@ -37,6 +37,10 @@ impl EstimatorError {
             (c.normal, "normal"),
         ];
         let asked: Vec<_> = channels.iter().filter(|c| c.0).map(|c| c.1).collect();
-        format!("a cube of {0}x{0} {1}", spec.size, asked.join("+"))
+        let bounces = match spec.bounces {
+            0 => String::new(),
+            k => format!(" with {k} bounces"),
+        };
+        format!("a cube of {0}x{0} {1}{bounces}", spec.size, asked.join("+"))
     }
 }

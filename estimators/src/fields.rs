@@ -25,3 +25,10 @@ pub(crate) fn bounces<P: Params>(get: fn(&P) -> u32, set: fn(&mut P, u32)) -> Fi
                coarse solution at the vertices";
     Field::u32("bounces", doc, 0..=8, get, set)
 }
+
+/// `recapture_distance`: how far the reference point may be from where captures were made.
+pub(crate) fn recapture_distance<P: Params>(get: fn(&P) -> f32, set: fn(&mut P, f32)) -> Field<P> {
+    let doc =
+        "captures are kept while the reference point is no farther from theirs; 0: always fresh";
+    Field::f32("recapture_distance", doc, 0.0..=1000.0, get, set).unit("m")
+}

@@ -7,14 +7,28 @@ use interreflect_cpu::path_tracer::LightPaths;
 /// Every estimate is compared with its own model (how well it computes what it sets out to) and
 /// with full light transport (what the model leaves out). Both fidelities of a method share one
 /// model and the normalised reflectance of the `corrected` form, so an erratum shows as an error.
+///
+/// The reference point is where captures are wanted: that a method uses kept ones, made elsewhere, is
+/// an error of the method and shows as one.
+///
+/// The first three take radiance as captures hold it, with as many `bounces` of the coarse solution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum OwnModel {
     /// The mean radiance that is seen from the reference point arrives from everywhere.
-    MeanRadiance,
+    MeanRadiance {
+        /// Reflections beyond that of the lights' light.
+        bounces: u32,
+    },
     /// What is seen from the reference point, moved to infinity.
-    EnvironmentAtInfinity,
+    EnvironmentAtInfinity {
+        /// Reflections beyond that of the lights' light.
+        bounces: u32,
+    },
     /// The surfaces visible from the reference point, at their place, all visible from the point.
-    VisibleFromReference,
+    VisibleFromReference {
+        /// Reflections beyond that of the lights' light.
+        bounces: u32,
+    },
     /// Full light transport along these paths.
     LightTransport(LightPaths),
 }

@@ -121,6 +121,16 @@ pub enum GpuError {
         /// Texels that the size says.
         expected: usize,
     },
+    /// A coarse solution that is not the one that a capture needs.
+    #[error("the coarse solution has {found} {what}, the capture needs {expected}")]
+    CoarseIrradiance {
+        /// What differs.
+        what: &'static str,
+        /// How many the solution has; 0 without one.
+        found: u32,
+        /// How many are needed.
+        expected: u32,
+    },
     /// More lights than the light buffer holds.
     #[error("the scene has {lights} lights, the GPU capture takes at most {max}")]
     TooManyLights {

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use crate::capture::cube::Capture;
+use crate::coarse::Grid;
 use crate::lights::{GpuLight, LightList, MAX_LIGHTS, kind};
 use crate::points::PointsInfo;
 use crate::scene::GpuMaterial;
@@ -133,6 +134,7 @@ fn structs_have_the_same_layout() {
     );
     assert_layout!(&capture, "Lights", LightList, [lights, count, near]);
     assert_layout!(&capture, "Material", GpuMaterial, [albedo, emission]);
+    assert_layout!(&capture, "Grid", Grid, [first, cells]);
     assert_layout!(
         &capture,
         "Capture",

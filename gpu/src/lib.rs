@@ -6,6 +6,7 @@
 mod adapter;
 mod buffers;
 mod capture;
+mod coarse;
 mod context;
 mod cube;
 mod cx;
@@ -24,6 +25,7 @@ pub mod wgsl;
 
 pub use adapter::{AdapterInfo, adapters};
 pub use capture::cube::capture_cube;
+pub use coarse::GpuCoarseIrradiance;
 pub use context::GpuContext;
 pub use cube::GpuCube;
 pub use cx::GpuCx;

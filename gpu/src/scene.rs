@@ -43,10 +43,10 @@ pub(crate) struct GpuEnvironment {
 /// A scene on the GPU: the surfaces with [`Role::Environment`], their materials, the lights and
 /// the environment.
 pub struct GpuScene {
-    /// Reference point of captures.
-    pub(crate) reference_point: Vec3,
     pub(crate) vertices: wgpu::Buffer,
     pub(crate) vertex_count: u32,
+    /// What each drawn triangle is called among all of the environment objects'.
+    pub(crate) triangles: Vec<u32>,
     pub(crate) materials: wgpu::Buffer,
     /// `None` for a scene without lights.
     pub(crate) lights: Option<lights::GpuLights>,
@@ -67,7 +67,7 @@ impl GpuScene {
     /// # Errors
     /// [`GpuError::TooManyLights`], or another [`GpuError`] if the device has no room.
     pub fn new(context: &GpuContext, scene: &Scene) -> Result<Self, GpuError> {
-        let vertices = vertices(scene);
+        let (vertices, triangles) = vertices(scene);
         let mut materials: Vec<_> = scene.materials.iter().map(GpuMaterial::new).collect();
         if materials.is_empty() {
             // The shaders' array has one element at least.
@@ -78,9 +78,9 @@ impl GpuScene {
         let buffer = context.filled_buffer("triangles", bytemuck::cast_slice(&vertices), usage)?;
         let environment = scene.environment.as_ref();
         Ok(Self {
-            reference_point: scene.reference_point,
             vertices: buffer,
             vertex_count: vertices.len() as u32,
+            triangles,
             materials: context.storage("materials", &materials)?,
             lights: lights::GpuLights::new(context, &scene.lights, bounds)?,
             environment: environment
@@ -125,20 +125,27 @@ impl GpuMaterial {
     }
 }
 
-/// The corners of all captured triangles that have an area.
-fn vertices(scene: &Scene) -> Vec<Vertex> {
-    let mut vertices = Vec::new();
-    for object in scene.objects_of(Role::Environment) {
-        for (triangle, &material) in object.mesh.materials.iter().enumerate() {
-            let corners = object.mesh.corners(triangle);
-            let [a, b, c] = corners.map(|p| p.as_dvec3());
-            let Some(normal) = (b - a).cross(c - a).try_normalize() else {
-                continue;
-            };
-            vertices.extend(corners.map(|p| Vertex::new(p, normal, material)));
-        }
+/// The corners of all captured triangles that have an area, and the triangles' indices, counted over
+/// all environment objects.
+fn vertices(scene: &Scene) -> (Vec<Vertex>, Vec<u32>) {
+    let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
+    let meshes = scene.objects_of(Role::Environment).map(|o| &o.mesh);
+    let all = meshes.flat_map(|m| {
+        m.materials
+            .iter()
+            .enumerate()
+            .map(move |(t, id)| (m, t, *id))
+    });
+    for (index, (mesh, triangle, material)) in (0..).zip(all) {
+        let corners = mesh.corners(triangle);
+        let [a, b, c] = corners.map(|p| p.as_dvec3());
+        let Some(normal) = (b - a).cross(c - a).try_normalize() else {
+            continue;
+        };
+        triangles.push(index);
+        vertices.extend(corners.map(|p| Vertex::new(p, normal, material)));
     }
-    vertices
+    (vertices, triangles)
 }
 
 impl Vertex {

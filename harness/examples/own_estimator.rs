@@ -68,7 +68,7 @@ impl Method for HemisphereAmbient {
     }
 
     fn model(_: &HemisphereParams, _: Quantity) -> OwnModel {
-        OwnModel::EnvironmentAtInfinity
+        OwnModel::EnvironmentAtInfinity { bounces: 0 }
     }
 }
 

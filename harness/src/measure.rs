@@ -42,13 +42,21 @@ pub fn measure<S: Stage>(
     } = stage.place(points)?;
     let mut compiled = Compiled::default();
 
+    let solve_ms = stage.solve(&needs)?;
     let (captures, capture_ms) = compiled.repeat(stage, repeat, || stage.capture(&needs))?;
     let inputs = |changed| {
-        let origin = (facts, scene.reference_point);
+        let origin = (facts, scene.capture_origin(needs.keep_within_m));
         Inputs::new(&needs, &captures, &placed, points, origin, changed)
     };
-    // Later frames see new captures: that is what prepare costs again and again.
-    let (first, again) = (inputs(Changed::ALL), inputs(Changed::CAPTURES));
+    // Later frames see new captures, or new points where captures are kept: that is what prepare
+    // costs again and again.
+    let kept = scene.keeps_captures(needs.keep_within_m);
+    let later = if kept {
+        Changed::POINTS
+    } else {
+        Changed::CAPTURES
+    };
+    let (first, again) = (inputs(Changed::ALL), inputs(later));
     let mut frame = std::iter::once(&first).chain(std::iter::repeat(&again));
     let (_, prepare_ms) = compiled.repeat(stage, repeat, || {
         let inputs = frame.next().unwrap_or(&again);
@@ -71,11 +79,13 @@ pub fn measure<S: Stage>(
     let unread = interreflect_scene::Needs {
         cubes: needs.cubes.difference(&read.cubes).copied().collect(),
         light_transport: needs.light_transport && !read.light_transport,
+        ..interreflect_scene::Needs::default()
     };
     Ok(Measured {
         estimate,
         phases: Phases {
-            capture: (!needs.cubes.is_empty()).then_some(capture_ms).flatten(),
+            solve: solve_ms.and_then(|ms| Timing::of(&[ms])),
+            capture: capture_ms.filter(|_| !(needs.cubes.is_empty() || kept)),
             compile: compiled.ms.and_then(|ms| Timing::of(&[ms])),
             prepare: prepare_ms,
             shade: shade_ms,

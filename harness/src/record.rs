@@ -148,7 +148,12 @@ impl fmt::Display for TimeSource {
 /// Time of each phase; `None` where a run has no such phase.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Phases {
-    /// Taking the captures that the method declared.
+    /// Computing, once for the scene, the coarse solution that captures hold. Where a later run finds
+    /// it done, this is still what it took.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub solve: Option<Timing>,
+    /// Taking the captures that the method declared; `None` where there are none, or where those of
+    /// an earlier frame are kept.
     pub capture: Option<Timing>,
     /// Pipeline-cache misses and the first run's excess.
     pub compile: Option<Timing>,
@@ -162,8 +167,9 @@ pub struct Phases {
 
 impl Phases {
     /// Names with times, in the order in which phases run.
-    pub fn named(&self) -> [(&'static str, Option<Timing>); 5] {
+    pub fn named(&self) -> [(&'static str, Option<Timing>); 6] {
         [
+            ("solve", self.solve),
             ("capture", self.capture),
             ("compile", self.compile),
             ("prepare", self.prepare),

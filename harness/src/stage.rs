@@ -2,17 +2,20 @@
 //! timed there.
 
 use interreflect_cpu::capture::cube::capture_cube as capture_cube_cpu;
+use interreflect_cpu::path_tracer::CoarseSolution;
 use interreflect_cpu::scene::CpuScene;
 use interreflect_cpu::tiles::CpuCx;
 use interreflect_estimators::{
     Backend, Captures, Configured, Cpu, EstimatorError, Gpu, Session, Unsupported,
 };
 use interreflect_gpu::{
-    GpuContext, GpuEstimate, GpuPoints, GpuScene, GpuTime, TimeSource,
+    GpuCoarseIrradiance, GpuContext, GpuEstimate, GpuPoints, GpuScene, GpuTime, TimeSource,
     capture_cube as capture_cube_gpu,
 };
 use interreflect_scene::{Estimate, Needs, Points};
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -37,7 +40,15 @@ pub trait Stage {
     /// [`EstimatorError`] if they don't fit.
     fn place(&self, points: &Points) -> Result<Placed<Self::Backend>, EstimatorError>;
 
-    /// Makes every capture that is needed; milliseconds.
+    /// Finds the coarse solutions that captured radiance will hold: work done once for a scene, not
+    /// once a frame. The milliseconds that this took when it was done, `None` if nothing is needed.
+    ///
+    /// # Errors
+    /// [`EstimatorError`] if the backend refuses.
+    fn solve(&self, needs: &Needs) -> Result<Option<f64>, EstimatorError>;
+
+    /// Makes every capture that is needed, those that would be kept too, where they were made;
+    /// milliseconds, without those of [`Stage::solve`].
     ///
     /// # Errors
     /// [`EstimatorError`] if the backend refuses.
@@ -78,11 +89,21 @@ pub struct Placed<B: Backend> {
 }
 
 /// A scene on the CPU.
+#[derive(Clone)]
 pub struct CpuStage<'a> {
     /// Threads and instruction set.
     pub cx: &'a CpuCx,
     /// The scene.
     pub scene: Arc<CpuScene>,
+}
+
+impl CpuStage<'_> {
+    /// The coarse solutions of all captures, each once.
+    fn solutions(&self, needs: &Needs) -> BTreeMap<u32, Arc<CoarseSolution>> {
+        let solve = |spec| self.cx.install(|| self.scene.coarse_for(spec));
+        let solutions = needs.cubes.iter().filter_map(solve);
+        solutions.map(|s| (s.irradiance.bounces(), s)).collect()
+    }
 }
 
 impl Stage for CpuStage<'_> {
@@ -99,11 +120,18 @@ impl Stage for CpuStage<'_> {
         })
     }
 
+    fn solve(&self, needs: &Needs) -> Result<Option<f64>, EstimatorError> {
+        Ok(sum(self.solutions(needs).values().map(|s| s.ms)))
+    }
+
     fn capture(&self, needs: &Needs) -> Result<(Captures<Cpu>, f64), EstimatorError> {
+        self.solve(needs)?;
+        let origin = self.scene.scene().capture_origin(needs.keep_within_m);
         let mut captures = Captures::default();
         let start = Instant::now();
         for spec in &needs.cubes {
-            let cube = self.cx.install(|| capture_cube_cpu(&self.scene, *spec));
+            let capture = || capture_cube_cpu(&self.scene, origin, *spec);
+            let cube = self.cx.install(capture);
             captures.cubes.insert(*spec, cube);
         }
         let ms = milliseconds(start);
@@ -134,20 +162,26 @@ impl Stage for CpuStage<'_> {
 }
 
 /// A scene on the GPU.
-pub struct GpuStage {
+pub struct GpuStage<'a> {
     /// The device.
     pub context: Arc<GpuContext>,
     /// The scene, uploaded.
     pub scene: GpuScene,
+    host: CpuStage<'a>,
+    /// Uploaded coarse solutions by their bounces, with the milliseconds that solving and uploading
+    /// took.
+    coarse: RefCell<BTreeMap<u32, (GpuCoarseIrradiance, f64)>>,
     fell_back: Cell<bool>,
 }
 
-impl GpuStage {
-    /// A scene on a device.
-    pub fn new(context: Arc<GpuContext>, scene: GpuScene) -> Self {
+impl<'a> GpuStage<'a> {
+    /// A scene on a device; `host` is the same scene, for what the host computes once.
+    pub fn new(context: Arc<GpuContext>, scene: GpuScene, host: CpuStage<'a>) -> Self {
         Self {
             context,
             scene,
+            host,
+            coarse: RefCell::default(),
             fell_back: Cell::new(false),
         }
     }
@@ -161,7 +195,7 @@ impl GpuStage {
     }
 }
 
-impl Stage for GpuStage {
+impl Stage for GpuStage<'_> {
     type Backend = Gpu;
 
     fn open(&self, method: &dyn Configured) -> Result<Box<dyn Session<Gpu>>, Unsupported> {
@@ -175,11 +209,32 @@ impl Stage for GpuStage {
         })
     }
 
+    fn solve(&self, needs: &Needs) -> Result<Option<f64>, EstimatorError> {
+        let solutions = self.host.solutions(needs);
+        let mut uploaded = self.coarse.borrow_mut();
+        for (&bounces, solution) in &solutions {
+            if let Entry::Vacant(place) = uploaded.entry(bounces) {
+                let start = Instant::now();
+                let (context, scene) = (&self.context, &self.scene);
+                let coarse = GpuCoarseIrradiance::upload(context, scene, &solution.irradiance)?;
+                place.insert((coarse, solution.ms + milliseconds(start)));
+            }
+        }
+        Ok(sum(solutions
+            .keys()
+            .filter_map(|k| Some(uploaded.get(k)?.1))))
+    }
+
     fn capture(&self, needs: &Needs) -> Result<(Captures<Gpu>, f64), EstimatorError> {
+        self.solve(needs)?;
+        let coarse = self.coarse.borrow();
+        let scene = self.host.scene.scene();
+        let origin = scene.capture_origin(needs.keep_within_m);
         let mut captures = Captures::default();
         let (_, time) = self.context.record("capture", |cx| {
             for spec in &needs.cubes {
-                let cube = capture_cube_gpu(cx, &self.scene, *spec)?;
+                let coarse = coarse.get(&spec.bounces).map(|(c, _)| c);
+                let cube = capture_cube_gpu(cx, &self.scene, origin, *spec, coarse)?;
                 captures.cubes.insert(*spec, cube);
             }
             Ok::<_, EstimatorError>(())
@@ -209,4 +264,9 @@ impl Stage for GpuStage {
 
 fn milliseconds(start: Instant) -> f64 {
     start.elapsed().as_secs_f64() * 1e3
+}
+
+/// The sum of some times; `None` without any.
+fn sum(times_ms: impl Iterator<Item = f64>) -> Option<f64> {
+    times_ms.reduce(|a, b| a + b)
 }

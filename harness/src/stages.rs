@@ -12,7 +12,7 @@ use interreflect_scene::Points;
 /// A scene on each backend.
 pub struct Stages<'a> {
     cpu: CpuStage<'a>,
-    gpu: Result<GpuStage, Unsupported>,
+    gpu: Result<GpuStage<'a>, Unsupported>,
 }
 
 /// A measurement with what its times mean.
@@ -28,18 +28,16 @@ pub struct Timed {
 impl<'a> Stages<'a> {
     /// Takes over a loaded scene; a GPU that is not there is found out when it is asked for.
     pub fn new(cx: &'a CpuCx, loaded: Loaded) -> Self {
+        let cpu = CpuStage {
+            cx,
+            scene: loaded.cpu,
+        };
         let gpu = match loaded.gpu {
-            Some(Ok((context, scene))) => Ok(GpuStage::new(context, scene)),
+            Some(Ok((context, scene))) => Ok(GpuStage::new(context, scene, cpu.clone())),
             Some(Err(error)) => Err(Unsupported(error.to_string())),
             None => Err(Unsupported("the GPU was not asked for".into())),
         };
-        Self {
-            cpu: CpuStage {
-                cx,
-                scene: loaded.cpu,
-            },
-            gpu,
-        }
+        Self { cpu, gpu }
     }
 
     /// Runs a method as [`measure`] does.

@@ -54,9 +54,10 @@ fn table(runs: &[&Run], width: Option<u16>) -> Table {
     } else if !table.is_tty() {
         table.set_width(WIDTH_IN_A_PIPE);
     }
-    table.set_header(HEADER);
+    let solved = runs.iter().any(|r| r.phases_ms.solve.is_some());
+    table.set_header(HEADER.iter().filter(|h| solved || **h != SOLVE));
     for run in runs {
-        table.add_row(row(run));
+        table.add_row(row(run, solved));
     }
     for (i, column) in table.column_iter_mut().enumerate() {
         column.set_padding((0, 1));
@@ -70,9 +71,13 @@ fn table(runs: &[&Run], width: Option<u16>) -> Table {
     table
 }
 
-const HEADER: [&str; 10] = [
+/// A column that is there only if some run has this phase.
+const SOLVE: &str = "solve\nms";
+
+const HEADER: [&str; 11] = [
     "estimator",
     "on",
+    SOLVE,
     "capture\nms",
     "compile\nms",
     "prepare\nms",
@@ -83,7 +88,7 @@ const HEADER: [&str; 10] = [
     "energy\nratio",
 ];
 
-fn row(run: &Run) -> Vec<String> {
+fn row(run: &Run, solved: bool) -> Vec<String> {
     let backend = if run.software {
         "gpu sw".into()
     } else {
@@ -95,6 +100,8 @@ fn row(run: &Run) -> Vec<String> {
     cells.extend(
         run.phases_ms
             .named()
+            .iter()
+            .filter(|(name, _)| solved || *name != "solve")
             .map(|(_, t)| format::optional(t.map(|t| t.median))),
     );
     cells.extend([relmse(&run.own_model), relmse(&run.truth)]);

@@ -208,7 +208,7 @@ impl Traced {
                 origin = hit.position;
                 continue;
             }
-            traced.direct = traced.throughput * captured_radiance(scene, geometry, &hit);
+            traced.direct = traced.throughput * captured_radiance(scene, geometry, &hit, None);
             if !only_receivers || hit.role == Role::Receiver {
                 traced.point = Some(shaded(&hit, direction));
             }

@@ -4,6 +4,7 @@
 //! linear RGB, radiance in W·m⁻²·sr⁻¹; frames are right-handed.
 
 pub mod camera;
+pub mod coarse_irradiance;
 pub mod conventions;
 pub mod cube_image;
 pub mod environment;
@@ -22,6 +23,7 @@ pub mod shapes;
 mod validate;
 
 pub use camera::Camera;
+pub use coarse_irradiance::CoarseIrradiance;
 pub use cube_image::CubeImage;
 pub use environment::{Environment, LatLongImage};
 pub use error::{Place, SceneError};

@@ -41,12 +41,15 @@ impl CubeSpec {
 
 /// Everything a method reads beyond its points. A capture that was not declared can't be read;
 /// one that was declared and never read fails conformance.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Needs {
     /// Cube captures, each readable by the spec that asked for it.
     pub cubes: BTreeSet<CubeSpec>,
     /// Ray queries and full light transport in the whole scene (CPU only).
     pub light_transport: bool,
+    /// Captures made elsewhere will do, up to this distance in metres from the reference point; 0:
+    /// each frame has its own.
+    pub keep_within_m: f32,
 }
 
 /// What a method may know of a scene when it says what it needs.

@@ -39,11 +39,29 @@ pub struct Scene {
     pub environment: Option<Environment>,
     /// The camera.
     pub camera: Camera,
-    /// Reference point `o` of cube captures.
+    /// Reference point `o` where cube captures are wanted.
     pub reference_point: Vec3,
+    /// Where captures were made before and are still there: a reference point that the receivers have
+    /// moved away from. `None` if there are none.
+    pub captured_at: Option<Vec3>,
 }
 
 impl Scene {
+    /// Whether captures that were made before are kept: the reference point is at most
+    /// `keep_within_m` metres away from theirs. With 0 none are.
+    pub fn keeps_captures(&self, keep_within_m: f32) -> bool {
+        let near = |at: Vec3| at.distance(self.reference_point) <= keep_within_m;
+        keep_within_m > 0.0 && self.captured_at.is_some_and(near)
+    }
+
+    /// Reference point of the captures that are used: that of kept ones, else the scene's.
+    pub fn capture_origin(&self, keep_within_m: f32) -> Vec3 {
+        let kept = self
+            .captured_at
+            .filter(|_| self.keeps_captures(keep_within_m));
+        kept.unwrap_or(self.reference_point)
+    }
+
     /// The objects of one role.
     pub fn objects_of(&self, role: Role) -> impl Iterator<Item = &Object> {
         self.objects.iter().filter(move |o| o.role == role)

@@ -65,6 +65,12 @@ impl Scene {
                 "use coordinates within ±1e15 m",
             ));
         }
+        if let Some(at) = self.captured_at.filter(|at| !is_near(*at)) {
+            return Err(wrong(
+                format!("captures were made at {:?}", at.to_array()),
+                "use coordinates within ±1e15 m",
+            ));
+        }
         Ok(())
     }
 

@@ -2,17 +2,24 @@
 
 use crate::{direct, scene::CpuScene};
 use glam::{DVec3, Vec3};
-use interreflect_scene::{CubeImage, CubeSpec, conventions};
+use interreflect_scene::{CoarseIrradiance, CubeImage, CubeSpec, conventions};
 use rayon::prelude::*;
 
-/// Captures the environment objects around the scene's reference point.
+/// Captures the environment objects around `origin`.
 ///
 /// Receivers are absent: neither seen nor casting shadows. Only the channels of `spec` are
-/// computed; without radiance no surface is shaded, without lights no shadow ray is shot. The
+/// computed; without radiance no surface is shaded, without lights no shadow ray is shot, without
+/// `bounces` no coarse solution is made; with them it is made by the first capture that asks. The
 /// distance is exact to f32 rounding, the normal is the triangle's. Rows run in parallel; the result
 /// does not depend on how.
-pub fn capture_cube(scene: &CpuScene, spec: CubeSpec) -> CubeImage {
+pub fn capture_cube(scene: &CpuScene, origin: Vec3, spec: CubeSpec) -> CubeImage {
     let mut image = CubeImage::new(spec);
+    let solution = scene.coarse_for(&spec);
+    let rays = Rays {
+        scene,
+        origin: origin.as_dvec3(),
+        coarse: solution.as_ref().map(|s| &s.irradiance),
+    };
     let size = spec.size as usize;
     let rows = conventions::CUBE_FACES * size;
     let radiance = rows_of(&mut image.radiance, size, rows);
@@ -30,10 +37,17 @@ pub fn capture_cube(scene: &CpuScene, spec: CubeSpec) -> CubeImage {
                 normal,
             };
             for column in 0..size {
-                texels.capture(scene, column, texel_direction(spec.size, row, column));
+                texels.capture(&rays, column, texel_direction(spec.size, row, column));
             }
         });
     image
+}
+
+/// Where rays start, and what the surfaces that they meet reflect.
+struct Rays<'a> {
+    scene: &'a CpuScene,
+    origin: DVec3,
+    coarse: Option<&'a CoarseIrradiance>,
 }
 
 /// One row of each channel; `None` where the channel is not asked for.
@@ -44,8 +58,8 @@ struct Row<'a> {
 }
 
 impl Row<'_> {
-    fn capture(&mut self, scene: &CpuScene, column: usize, direction: DVec3) {
-        let origin = scene.scene().reference_point.as_dvec3();
+    fn capture(&mut self, rays: &Rays<'_>, column: usize, direction: DVec3) {
+        let &Rays { scene, origin, .. } = rays;
         let objects = scene.environment_objects();
         let hit = objects.bvh().closest(origin, direction, 0.0, f64::INFINITY);
         if let (Some(distance), Some(hit)) = (&mut self.distance, &hit) {
@@ -60,7 +74,9 @@ impl Row<'_> {
         }
         if let Some(radiance) = &mut self.radiance {
             radiance[column] = match (&surface, &scene.scene().environment) {
-                (Some(surface), _) => direct::captured_radiance(scene, objects, surface),
+                (Some(surface), _) => {
+                    direct::captured_radiance(scene, objects, surface, rays.coarse)
+                }
                 (None, Some(environment)) => environment.radiance(direction.as_vec3()),
                 (None, None) => Vec3::ZERO,
             };

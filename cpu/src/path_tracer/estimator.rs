@@ -97,6 +97,31 @@ impl<'a> Estimator<'a> {
         sum
     }
 
+    /// One sample of the irradiance from emission and from infinity on the side of a surface that
+    /// `lobe`, a plain cosine, lies on; and the surface that the drawn direction met.
+    pub(super) fn sources(
+        &self,
+        origin: DVec3,
+        lobe: &Lobe,
+        sample: Sample,
+    ) -> (Vec3, Option<SurfaceHit>) {
+        let objects = self.first;
+        let [u, v, choice, _] = sample.set(0);
+        let mut sum = self.drawn_source(objects, origin, lobe, false, sample.set(1));
+        let Some(drawn) = lobe.sample([u, v, choice]) else {
+            return (sum, None);
+        };
+        let density = Some(drawn.density);
+        let start = objects.ray_start();
+        let met = self.scene.closest(objects, origin, drawn.direction, start);
+        let found = match &met {
+            Some(surface) => self.emitted(objects, surface, drawn.direction, density),
+            None => self.environment(objects, drawn.direction, density),
+        };
+        sum += drawn.weight * found;
+        (sum, met)
+    }
+
     fn open(&self, origin: DVec3, direction: Vec3) -> bool {
         let direction = direction.as_dvec3();
         let bvh = self.first.bvh();

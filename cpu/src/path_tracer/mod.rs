@@ -5,6 +5,7 @@
 //! sequence converges. Sequences are seeded by point and replicate and summed in order, so the
 //! same seed gives the same bits for any number of threads.
 
+mod coarse;
 pub(crate) mod emitters;
 mod environment;
 mod estimator;
@@ -13,6 +14,7 @@ mod sampling;
 mod settings;
 mod spread;
 
+pub use coarse::CoarseSolution;
 pub use settings::{LightPaths, PathQuantity, Stop};
 
 use crate::scene::CpuScene;

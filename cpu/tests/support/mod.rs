@@ -25,6 +25,7 @@ pub(crate) fn scene(objects: Vec<Object>, materials: Vec<Material>) -> Scene {
             resolution: [4, 4],
         },
         reference_point: Vec3::ZERO,
+        captured_at: None,
     }
 }
 

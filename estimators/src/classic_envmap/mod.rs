@@ -37,19 +37,25 @@ impl Method for ClassicEnvmap {
     ) -> Result<Needs, Unsupported> {
         Ok(Needs {
             cubes: [params.captured()].into(),
-            light_transport: false,
+            ..Needs::default()
         })
     }
 
-    fn model(_params: &Self::Params, _quantity: Quantity) -> OwnModel {
-        OwnModel::EnvironmentAtInfinity
+    fn model(params: &Self::Params, _quantity: Quantity) -> OwnModel {
+        OwnModel::EnvironmentAtInfinity {
+            bounces: params.bounces,
+        }
     }
 }
 
 impl ClassicEnvmapParams {
     /// The captured cube: `capture_resolution`, rounded up to a multiple of `resolution`.
     pub fn captured(&self) -> CubeSpec {
-        CubeSpec::of_radiance(self.capture_resolution.next_multiple_of(self.resolution))
+        let size = self.capture_resolution.next_multiple_of(self.resolution);
+        CubeSpec {
+            bounces: self.bounces,
+            ..CubeSpec::of_radiance(size)
+        }
     }
 }
 

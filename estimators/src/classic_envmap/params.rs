@@ -11,6 +11,8 @@ pub struct ClassicEnvmapParams {
     pub resolution: u32,
     /// Texels along a face's edge when the environment is captured.
     pub capture_resolution: u32,
+    /// Reflections in the captured radiance beyond that of the lights' light.
+    pub bounces: u32,
     /// Cells along a face's edge of the convolved maps.
     pub map_resolution: u32,
 }
@@ -20,6 +22,7 @@ impl Default for ClassicEnvmapParams {
         Self {
             resolution: 32,
             capture_resolution: 256,
+            bounces: 0,
             map_resolution: 32,
         }
     }
@@ -41,6 +44,7 @@ impl Params for ClassicEnvmapParams {
                 |p: &Self| p.capture_resolution,
                 |p, v| p.capture_resolution = v,
             ),
+            fields::bounces(|p: &Self| p.bounces, |p, v| p.bounces = v),
             Field::u32(
                 "map_resolution",
                 "cells along a face's edge of the convolved maps",

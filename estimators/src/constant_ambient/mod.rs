@@ -32,18 +32,23 @@ impl Method for ConstantAmbient {
     ) -> Result<Needs, Unsupported> {
         Ok(Needs {
             cubes: [params.captured()].into(),
-            light_transport: false,
+            ..Needs::default()
         })
     }
 
-    fn model(_params: &Self::Params, _quantity: Quantity) -> OwnModel {
-        OwnModel::MeanRadiance
+    fn model(params: &Self::Params, _quantity: Quantity) -> OwnModel {
+        OwnModel::MeanRadiance {
+            bounces: params.bounces,
+        }
     }
 }
 
 impl ConstantAmbientParams {
     /// The captured cube.
     fn captured(&self) -> CubeSpec {
-        CubeSpec::of_radiance(self.capture_resolution)
+        CubeSpec {
+            bounces: self.bounces,
+            ..CubeSpec::of_radiance(self.capture_resolution)
+        }
     }
 }

@@ -38,12 +38,15 @@ impl Method for LocalizedCubemap {
     ) -> Result<Needs, Unsupported> {
         Ok(Needs {
             cubes: [params.captured(scene)].into(),
+            keep_within_m: params.recapture_distance,
             ..Needs::default()
         })
     }
 
-    fn model(_params: &Self::Params, _quantity: Quantity) -> OwnModel {
-        OwnModel::VisibleFromReference
+    fn model(params: &Self::Params, _quantity: Quantity) -> OwnModel {
+        OwnModel::VisibleFromReference {
+            bounces: params.bounces,
+        }
     }
 }
 
@@ -87,7 +90,7 @@ impl LocalizedCubemapParams {
                 distance: scene.surfaces,
                 normal: scene.surfaces && self.fidelity == Fidelity::Corrected,
             },
-            bounces: 0,
+            bounces: self.bounces,
         }
     }
 }

@@ -41,6 +41,11 @@ pub struct LocalizedCubemapParams {
     pub resolution: u32,
     /// Texels along a face's edge when the environment is captured.
     pub capture_resolution: u32,
+    /// Reflections in the captured radiance beyond that of the lights' light.
+    pub bounces: u32,
+    /// Distance in metres of the reference point from where captures were made, up to which they are
+    /// kept (P1 §2).
+    pub recapture_distance: f32,
     /// The paper as printed, or what it meant.
     pub fidelity: Fidelity,
     /// Which published solid angle.
@@ -54,6 +59,8 @@ impl Default for LocalizedCubemapParams {
         Self {
             resolution: 4,
             capture_resolution: 256,
+            bounces: 0,
+            recapture_distance: 0.0,
             fidelity: Fidelity::Published,
             solid_angle: SolidAngle::Text,
             reflectivity: Reflectivity::Sample,
@@ -68,6 +75,11 @@ impl Params for LocalizedCubemapParams {
             fields::capture_resolution(
                 |p: &Self| p.capture_resolution,
                 |p, v| p.capture_resolution = v,
+            ),
+            fields::bounces(|p: &Self| p.bounces, |p, v| p.bounces = v),
+            fields::recapture_distance(
+                |p: &Self| p.recapture_distance,
+                |p, v| p.recapture_distance = v,
             ),
             Field::fidelity(|p: &Self| p.fidelity, |p, v| p.fidelity = v),
             Field::choice(

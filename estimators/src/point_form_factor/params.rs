@@ -13,6 +13,8 @@ pub struct PointFormFactorParams {
     pub capture_resolution: u32,
     /// Reflections in the captured radiance beyond that of the lights' light.
     pub bounces: u32,
+    /// Distance in metres of the reference point up to which captures are kept.
+    pub recapture_distance: f32,
     /// Largest solid angle in sr that one texel counts; 0 for no bound.
     pub clamp: f32,
 }
@@ -23,6 +25,7 @@ impl Default for PointFormFactorParams {
             resolution: 4,
             capture_resolution: 256,
             bounces: 0,
+            recapture_distance: 0.0,
             clamp: 0.0,
         }
     }
@@ -37,6 +40,10 @@ impl Params for PointFormFactorParams {
                 |p, v| p.capture_resolution = v,
             ),
             fields::bounces(|p: &Self| p.bounces, |p, v| p.bounces = v),
+            fields::recapture_distance(
+                |p: &Self| p.recapture_distance,
+                |p, v| p.recapture_distance = v,
+            ),
             Field::f32(
                 "clamp",
                 "largest solid angle that one texel counts; 0 for no bound",

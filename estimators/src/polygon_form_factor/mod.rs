@@ -36,12 +36,15 @@ impl Method for PolygonFormFactor {
     ) -> Result<Needs, Unsupported> {
         Ok(Needs {
             cubes: [params.captured(scene)].into(),
+            keep_within_m: params.recapture_distance,
             ..Needs::default()
         })
     }
 
-    fn model(_params: &Self::Params, _quantity: Quantity) -> OwnModel {
-        OwnModel::VisibleFromReference
+    fn model(params: &Self::Params, _quantity: Quantity) -> OwnModel {
+        OwnModel::VisibleFromReference {
+            bounces: params.bounces,
+        }
     }
 }
 

@@ -69,6 +69,8 @@ pub struct PolygonFormFactorParams {
     pub capture_resolution: u32,
     /// Reflections in the captured radiance beyond that of the lights' light.
     pub bounces: u32,
+    /// Distance in metres of the reference point up to which captures are kept.
+    pub recapture_distance: f32,
     /// The paper as printed, or what it meant.
     pub fidelity: Fidelity,
     /// Which radiance a quadrilateral has.
@@ -85,6 +87,7 @@ impl Default for PolygonFormFactorParams {
             resolution: 4,
             capture_resolution: 256,
             bounces: 0,
+            recapture_distance: 0.0,
             fidelity: Fidelity::Published,
             radiance: Radiance::Centre,
             corners: Corners::Fidelity,
@@ -113,6 +116,10 @@ impl Params for PolygonFormFactorParams {
                 |p, v| p.capture_resolution = v,
             ),
             fields::bounces(|p: &Self| p.bounces, |p, v| p.bounces = v),
+            fields::recapture_distance(
+                |p: &Self| p.recapture_distance,
+                |p, v| p.recapture_distance = v,
+            ),
             Field::fidelity(|p: &Self| p.fidelity, |p, v| p.fidelity = v),
             Field::choice(
                 "radiance",

@@ -1,5 +1,5 @@
 // Cube captures: radiance, distance and normal along the rays through texel centres.
-// Needs the parts MATH, CUBE, LAT_LONG, LIGHTS, RASTER and SHADOW_MAPS.
+// Needs the parts MATH, CUBE, LAT_LONG, LIGHTS, RASTER and SHADOW_MAPS, and coarse.wgsl.
 
 struct Capture {
     // Reference point in metres.
@@ -34,6 +34,25 @@ struct SurfaceView {
     @location(4) @interpolate(flat) face: u32,
 }
 
+// Where a fragment lies on its triangle.
+struct Place {
+    // Weights of the triangle's corners 1 and 2.
+    @location(5) weights: vec2f,
+    @location(6) @interpolate(flat) triangle: u32,
+}
+
+// A SurfaceView and a Place.
+struct PlacedView {
+    @builtin(position) position: vec4f,
+    @location(0) offset: vec3f,
+    @location(1) @interpolate(flat) vertex: vec3f,
+    @location(2) @interpolate(flat) normal: vec3f,
+    @location(3) @interpolate(flat) material: u32,
+    @location(4) @interpolate(flat) face: u32,
+    @location(5) weights: vec2f,
+    @location(6) @interpolate(flat) triangle: u32,
+}
+
 struct SkyView {
     @builtin(position) position: vec4f,
     @location(0) @interpolate(flat) face: u32,
@@ -66,6 +85,21 @@ fn vs_surface(
     let offset = position - capture.origin;
     let clip = clip_on_face(face, offset, capture.near);
     return SurfaceView(clip, offset, offset, normal, material, face);
+}
+
+@vertex
+fn vs_placed(
+    @location(0) position: vec3f,
+    @location(1) normal: vec3f,
+    @location(2) material: u32,
+    @builtin(instance_index) face: u32,
+    @builtin(vertex_index) index: u32,
+) -> PlacedView {
+    let offset = position - capture.origin;
+    let clip = clip_on_face(face, offset, capture.near);
+    let corner = index % 3u;
+    let weights = vec2f(f32(corner == 1u), f32(corner == 2u));
+    return PlacedView(clip, offset, offset, normal, material, face, weights, index / 3u);
 }
 
 fn texel_direction(face: u32, position: vec2f) -> vec3f {
@@ -105,6 +139,32 @@ fn fs_emitted(view: SurfaceView) -> Texel {
 @fragment
 fn fs_lit(view: SurfaceView) -> Texel {
     let surface = surface_at(view);
+    return reflecting(surface, view.material, direct_irradiance(surface));
+}
+
+// Emission and the reflected coarse solution, for scenes without lights.
+@fragment
+fn fs_emitted_coarse(view: SurfaceView, place: Place) -> Texel {
+    let surface = surface_at(view);
+    let coarse = coarse_at(place.triangle, place.weights, surface.front);
+    return reflecting(surface, view.material, coarse);
+}
+
+// Emission, reflected direct light and the reflected coarse solution.
+@fragment
+fn fs_lit_coarse(view: SurfaceView, place: Place) -> Texel {
+    let surface = surface_at(view);
+    let coarse = coarse_at(place.triangle, place.weights, surface.front);
+    return reflecting(surface, view.material, direct_irradiance(surface) + coarse);
+}
+
+fn reflecting(surface: Surface, material: u32, irradiance: vec3f) -> Texel {
+    let reflected = materials[material].albedo * INV_PI * irradiance;
+    return texel(surface, emitted(surface, material) + reflected);
+}
+
+// Irradiance straight from the lights.
+fn direct_irradiance(surface: Surface) -> vec3f {
     let x = capture.origin + surface.distance * surface.direction;
     var irradiance = vec3f(0.0);
     for (var i = 0u; i < lights.count; i += 1u) {
@@ -115,8 +175,7 @@ fn fs_lit(view: SurfaceView) -> Texel {
             irradiance += arriving.irradiance * cos_theta;
         }
     }
-    let reflected = materials[view.material].albedo * INV_PI * irradiance;
-    return texel(surface, emitted(surface, view.material) + reflected);
+    return irradiance;
 }
 
 // Whether a light reaches a surface. The shadow map holds the distance along the ray of a texel's

@@ -194,7 +194,9 @@ fn impossible_captures(context: &Arc<GpuContext>) -> Result<(), Failed> {
     let scene = GpuScene::new(context, &empty(Vec3::ZERO))?;
     for size in [0, 1 << 20] {
         let error = context
-            .record("capture", |cx| capture_cube(cx, &scene, everything(size)))
+            .record("capture", |cx| {
+                capture_cube(cx, &scene, Vec3::ZERO, everything(size), None)
+            })
             .err();
         ensure!(
             matches!(error, Some(GpuError::TextureTooLarge { .. })),

@@ -34,6 +34,7 @@ pub(crate) fn empty(reference_point: Vec3) -> Scene {
             resolution: [8, 8],
         },
         reference_point,
+        captured_at: None,
     }
 }
 

@@ -7,6 +7,7 @@ use crate::capture::capture;
 use crate::lighting::{lit_room, point};
 use crate::oracle::everything;
 use crate::{Case, ensure};
+use glam::Vec3;
 use interreflect_gpu::{GpuContext, GpuCx, GpuError, GpuScene, Shader, TimeSource, capture_cube};
 use libtest_mimic::Failed;
 use std::sync::Arc;
@@ -89,7 +90,7 @@ fn rendering_counts(context: &Arc<GpuContext>) -> Result<(), Failed> {
     let scene = GpuScene::new(context, &room)?;
     let time = |size| {
         timed(context, |cx| {
-            capture_cube(cx, &scene, everything(size)).map(drop)
+            capture_cube(cx, &scene, Vec3::ZERO, everything(size), None).map(drop)
         })
     };
     time(32)?;

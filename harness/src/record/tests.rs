@@ -145,6 +145,7 @@ fn timings_are_medians_and_median_deviations() {
 fn a_frame_pays_for_capture_prepare_and_shade() {
     let phase = |ms| Timing::of(&[ms]);
     let mut phases = Phases {
+        solve: phase(100.0),
         capture: phase(4.0),
         compile: phase(500.0),
         prepare: None,

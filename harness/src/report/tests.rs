@@ -53,6 +53,7 @@ fn run(
             .collect::<ParamMap>(),
         points: 2048,
         phases_ms: Phases {
+            solve: None,
             capture: time(if backend == Backend::Gpu { 9.0 } else { 25.0 } * relmse.powf(-0.3)),
             compile: (backend == Backend::Gpu)
                 .then(|| Timing::of(&[310.0]))

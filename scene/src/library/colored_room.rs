@@ -33,6 +33,8 @@ impl Choice for Place {
 pub(super) struct Settings {
     place: Place,
     gap: f32,
+    moved: f32,
+    receivers: u32,
     size: f32,
     look: Look,
     glow: f32,
@@ -45,6 +47,8 @@ impl Default for Settings {
         Self {
             place: Place::Middle,
             gap: 0.05,
+            moved: 0.0,
+            receivers: 1,
             size: 0.6,
             look: Look::default(),
             glow: 0.25,
@@ -73,6 +77,21 @@ impl Params for Settings {
                 |s, v| s.gap = v,
             )
             .unit("m"),
+            Field::f32(
+                "receiver.moved",
+                "how far the receivers have moved along +x since captures were made",
+                0.0..=1.0,
+                |s: &Self| s.moved,
+                |s, v| s.moved = v,
+            )
+            .unit("m"),
+            Field::u32(
+                "receivers",
+                "equal receivers in a row along x around that place, sharing the captures",
+                1..=3,
+                |s: &Self| s.receivers,
+                |s, v| s.receivers = v,
+            ),
             Field::f32(
                 "receiver.size",
                 "longest side of the receiver",
@@ -143,26 +162,36 @@ impl Recipe for ColoredRoom {
         let name = receiver.unwrap_or("sphere");
         let model = receiver::model(name, s.size, &s.look)?;
         let (lo, _) = model.mesh.bounds().unwrap_or_default();
-        let position = match s.place {
+        let home = match s.place {
             Place::Middle => Vec3::ZERO,
             Place::Halfway => Vec3::new(-0.5 * room::HALF, 0.0, 0.0),
             Place::Wall => Vec3::new(s.gap - lo.x - room::HALF, 0.0, 0.0),
             Place::Floor => Vec3::new(0.0, s.gap - lo.y - room::HALF, 0.0),
         };
-        parts.add(
-            receiver::name_of(name),
-            Role::Receiver,
-            model.moved(position),
-        );
+        let position = home + Vec3::X * s.moved;
+        for offset in row(s, home) {
+            let model = model.clone().moved(position + Vec3::X * offset);
+            parts.add(receiver::name_of(name), Role::Receiver, model);
+        }
         let setting = Setting {
             lights: vec![Light::Point {
                 position: Vec3::new(0.15, 0.6, 0.1),
                 intensity: Vec3::splat(s.light),
             }],
-            camera: Some(room::camera(0.6 * position)),
+            camera: Some(room::camera(0.6 * home)),
             reference_point: Some(position),
+            captured_at: Some(home),
             ..Setting::default()
         };
         Ok(assemble(Self::NAME, parts, setting))
     }
+}
+
+/// Places of the receivers along x, from the middle of the row: a quarter of their size apart, less
+/// where the room ends.
+fn row(s: &Settings, home: Vec3) -> impl Iterator<Item = f32> {
+    let last = s.receivers - 1;
+    let room = (2.0 * (room::HALF - home.x.abs()) - s.size) / last.max(1) as f32;
+    let step = room.clamp(0.0, 1.25 * s.size);
+    (0..=last).map(move |i| step * (i as f32 - 0.5 * last as f32))
 }

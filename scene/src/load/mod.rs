@@ -99,6 +99,7 @@ pub(crate) struct Setting {
     pub(crate) environment: Option<Environment>,
     pub(crate) camera: Option<Camera>,
     pub(crate) reference_point: Option<Vec3>,
+    pub(crate) captured_at: Option<Vec3>,
 }
 
 /// Puts a scene together.
@@ -111,6 +112,7 @@ pub(crate) fn assemble(name: impl Into<String>, parts: Parts, setting: Setting) 
         reference_point: setting
             .reference_point
             .unwrap_or_else(|| parts.default_reference_point()),
+        captured_at: setting.captured_at,
         objects: parts.objects,
         materials: parts.materials,
         lights: setting.lights,

@@ -26,20 +26,25 @@ pub(super) struct Hierarchy {
 impl Hierarchy {
     /// Captures 6·size² patches, size = 3·2ᵏ, and merges them.
     pub(super) fn new(model: OwnModel, scene: &CpuScene, size: u32) -> Self {
-        let local = model == OwnModel::VisibleFromReference;
+        let (local, bounces) = match model {
+            OwnModel::VisibleFromReference { bounces } => (true, bounces),
+            OwnModel::MeanRadiance { bounces } | OwnModel::EnvironmentAtInfinity { bounces } => {
+                (false, bounces)
+            }
+            OwnModel::LightTransport(_) => (false, 0),
+        };
         let channels = CubeChannels {
             radiance: true,
             distance: local,
             normal: local,
         };
-        let captured = capture_cube(
-            scene,
-            CubeSpec {
-                size,
-                channels,
-                bounces: 0,
-            },
-        );
+        let spec = CubeSpec {
+            size,
+            channels,
+            bounces,
+        };
+        let origin = scene.scene().reference_point;
+        let captured = capture_cube(scene, origin, spec);
         let mut patches: Vec<Node> = (0..captured.texels())
             .into_par_iter()
             .map(|index| {
@@ -50,8 +55,8 @@ impl Hierarchy {
                 patch(square, captured.radiance[index], distance, normal)
             })
             .collect();
-        let split = split_edges(&mut patches, scene, local, size);
-        if model == OwnModel::MeanRadiance {
+        let split = split_edges(&mut patches, scene, spec);
+        if matches!(model, OwnModel::MeanRadiance { .. }) {
             let total = |f: fn(&Node) -> DVec3| patches.iter().map(f).sum::<DVec3>();
             let mean = total(|p| p.power.as_dvec3()) / total(|p| DVec3::splat(p.measure.into()));
             let mean = mean.as_vec3();
@@ -74,7 +79,7 @@ impl Hierarchy {
         }
         levels.reverse();
         Self {
-            origin: scene.scene().reference_point.as_dvec3(),
+            origin: origin.as_dvec3(),
             levels,
             split,
         }

@@ -4,6 +4,7 @@ use super::node::{Node, Square, patch};
 use glam::{DVec3, Vec3};
 use interreflect_cpu::direct::captured_radiance;
 use interreflect_cpu::scene::CpuScene;
+use interreflect_scene::{CoarseIrradiance, CubeSpec};
 use rayon::prelude::*;
 
 /// How often a patch with an edge in it is divided in four.
@@ -15,21 +16,22 @@ pub(super) struct Split {
 }
 
 /// Divides the patches with an edge in them: what is seen at an edge is then on the right surface
-/// to an eighth of a texel.
-pub(super) fn split_edges(
-    patches: &mut [Node],
-    scene: &CpuScene,
-    local: bool,
-    size: u32,
-) -> Vec<Split> {
+/// to an eighth of a texel. `spec` is that of the patches' capture.
+pub(super) fn split_edges(patches: &mut [Node], scene: &CpuScene, spec: CubeSpec) -> Vec<Split> {
+    let coarse = scene.coarse_for(&spec);
+    let rays = Rays {
+        scene,
+        coarse: coarse.as_ref().map(|c| &c.irradiance),
+        local: spec.channels.distance,
+    };
     let splits: Vec<(usize, Split)> = (0..patches.len())
         .into_par_iter()
         .filter_map(|index| {
-            let square = Square::of_index(size, index);
+            let square = Square::of_index(spec.size, index);
             let is_edge = square
                 .neighbours()
                 .any(|n| patches[index].is_cut_off_from(&patches[n.index()]));
-            is_edge.then(|| (index, Split::new(scene, local, square)))
+            is_edge.then(|| (index, Split::new(&rays, square)))
         })
         .collect();
     for (place, (index, split)) in splits.iter().enumerate() {
@@ -43,7 +45,7 @@ pub(super) fn split_edges(
 }
 
 impl Split {
-    fn new(scene: &CpuScene, local: bool, square: Square) -> Self {
+    fn new(rays: &Rays<'_>, square: Square) -> Self {
         let part = |levels: usize, place: usize| Square {
             size: square.size << levels,
             face: square.face,
@@ -53,7 +55,7 @@ impl Split {
         let count = |levels: usize| 1 << (2 * levels);
         let mut levels = [const { Vec::new() }; SPLITS];
         levels[SPLITS - 1] = (0..count(SPLITS))
-            .map(|place| traced_patch(scene, local, part(SPLITS, place)))
+            .map(|place| rays.patch(part(SPLITS, place)))
             .collect();
         for below in (1..SPLITS).rev() {
             let merged = (0..count(below)).map(|place| {
@@ -66,20 +68,32 @@ impl Split {
     }
 }
 
-/// A patch from a ray of its own, as [`capture_cube`] traces them.
-fn traced_patch(scene: &CpuScene, local: bool, square: Square) -> Node {
-    let origin = scene.scene().reference_point.as_dvec3();
-    let objects = scene.environment_objects();
-    let direction = square.rays().iter().sum::<DVec3>().normalize();
-    let hit = objects.bvh().closest(origin, direction, 0.0, f64::INFINITY);
-    let hit = hit.map(|hit| scene.surface(objects, origin, direction, hit));
-    let radiance = match (&hit, &scene.scene().environment) {
-        (Some(hit), _) => captured_radiance(scene, objects, hit),
-        (None, Some(environment)) => environment.radiance(direction.as_vec3()),
-        (None, None) => Vec3::ZERO,
-    };
-    match hit.filter(|_| local) {
-        Some(hit) => patch(square, radiance, hit.distance as f32, hit.geometric_normal),
-        None => patch(square, radiance, f32::INFINITY, Vec3::ZERO),
+/// What rays are traced in.
+struct Rays<'a> {
+    scene: &'a CpuScene,
+    coarse: Option<&'a CoarseIrradiance>,
+    /// Surfaces are at their place, not at infinity.
+    local: bool,
+}
+
+impl Rays<'_> {
+    /// A patch from a ray of its own, as [`interreflect_cpu::capture::cube::capture_cube`] traces
+    /// them.
+    fn patch(&self, square: Square) -> Node {
+        let scene = self.scene;
+        let origin = scene.scene().reference_point.as_dvec3();
+        let objects = scene.environment_objects();
+        let direction = square.rays().iter().sum::<DVec3>().normalize();
+        let hit = objects.bvh().closest(origin, direction, 0.0, f64::INFINITY);
+        let hit = hit.map(|hit| scene.surface(objects, origin, direction, hit));
+        let radiance = match (&hit, &scene.scene().environment) {
+            (Some(hit), _) => captured_radiance(scene, objects, hit, self.coarse),
+            (None, Some(environment)) => environment.radiance(direction.as_vec3()),
+            (None, None) => Vec3::ZERO,
+        };
+        match hit.filter(|_| self.local) {
+            Some(hit) => patch(square, radiance, hit.distance as f32, hit.geometric_normal),
+            None => patch(square, radiance, f32::INFINITY, Vec3::ZERO),
+        }
     }
 }

@@ -68,7 +68,7 @@ fn reproduces_exact_irradiance_in_a_box() {
         }
     };
     check(
-        OwnModel::VisibleFromReference,
+        OwnModel::VisibleFromReference { bounces: 0 },
         |row| row.2,
         Tolerance {
             absolute: 0.0,
@@ -77,7 +77,7 @@ fn reproduces_exact_irradiance_in_a_box() {
         },
     );
     check(
-        OwnModel::EnvironmentAtInfinity,
+        OwnModel::EnvironmentAtInfinity { bounces: 0 },
         |row| row.3,
         Tolerance {
             absolute: 0.0,
@@ -96,9 +96,9 @@ fn constant_environment_gives_pi_and_the_lobes_reflectance() {
     scene.lights.clear();
     scene.environment = Some(Environment::constant(Vec3::ONE));
     let models = [
-        OwnModel::MeanRadiance,
-        OwnModel::EnvironmentAtInfinity,
-        OwnModel::VisibleFromReference,
+        OwnModel::MeanRadiance { bounces: 0 },
+        OwnModel::EnvironmentAtInfinity { bounces: 0 },
+        OwnModel::VisibleFromReference { bounces: 0 },
     ];
     for (shininess, tilt) in [(1.0_f32, 0.2_f32), (5.0, 1.2), (50.0, 0.7), (200.0, 0.0)] {
         let point = Point {
@@ -160,7 +160,7 @@ fn glossy_radiance_in_a_box_agrees_with_the_path_tracer() {
     };
     let points: Vec<Point> = room_points().iter().step_by(40).map(shiny).collect();
     let own = values(
-        OwnModel::VisibleFromReference,
+        OwnModel::VisibleFromReference { bounces: 0 },
         Quantity::GlossyRadiance,
         &scene,
         &points,

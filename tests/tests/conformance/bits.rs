@@ -1,8 +1,7 @@
 //! Results have the same bits for any order of the points, on the CPU also for any number of
 //! threads and any instruction set, and however often a session was prepared.
 
-use crate::ensure;
-use crate::subjects::{SUBJECTS, Subject};
+use crate::subjects::{SUBJECTS, Subject, same_bits};
 use crate::world::{
     Outcome, Variant, captures, cpu_stage, estimate, gpu_stage, on_gpu, run, variants,
 };
@@ -107,12 +106,4 @@ fn prepared_again<S: Stage>(stage: &S, subject: &Subject, variant: &Variant) -> 
     })?;
     let again = stage.read_back(&placed.out)?.0;
     Ok(same_bits(&first, again.iter()).map_err(|e| format!("prepared again: {e}"))?)
-}
-
-fn same_bits(a: &Estimate, b: impl Iterator<Item = glam::Vec3>) -> Result<(), String> {
-    for (i, (a, b)) in a.iter().zip(b).enumerate() {
-        let bits = |v: glam::Vec3| v.to_array().map(f32::to_bits);
-        ensure!(bits(a) == bits(b), "point {i} has {a} and {b}");
-    }
-    Ok(())
 }

@@ -31,9 +31,10 @@ fn capture_passes(
     needs: &Needs,
 ) -> Result<Vec<&'static str>, Failed> {
     let stage = gpu_stage(context, subject)?;
+    let origin = subject.cpu.scene().reference_point;
     let (passes, _) = context.record("capture", |cx| {
         for spec in &needs.cubes {
-            capture_cube(cx, &stage.scene, *spec)?;
+            capture_cube(cx, &stage.scene, origin, *spec, None)?;
         }
         Ok::<_, GpuError>(cx.passes().to_vec())
     })?;

@@ -4,9 +4,11 @@
 //! `INTERREFLECT_REQUIRE_GPU=1` they then fail.
 
 mod bits;
+mod bounces;
 mod costs;
 mod errata;
 mod form_factors;
+mod moved;
 mod needs;
 mod parity;
 mod path_reference;
@@ -28,6 +30,8 @@ fn main() {
         bits::trials(),
         costs::trials(),
         parity::trials(),
+        moved::trials(),
+        bounces::trials(),
         errata::trials(),
         form_factors::trials(),
         path_reference::trials(),

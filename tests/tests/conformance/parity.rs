@@ -3,7 +3,7 @@
 use crate::ensure;
 use crate::subjects::{SUBJECTS, Subject};
 use crate::world::{
-    Outcome, Variant, captures, cpu_stage, estimate, gpu_stage, ignored, on_gpu, variants,
+    Outcome, Variant, bounced, captures, cpu_stage, estimate, gpu_stage, ignored, on_gpu, variants,
 };
 use interreflect_conformance::tolerance::Tolerance;
 use interreflect_estimators::{Captures, Cpu, Gpu};
@@ -26,6 +26,17 @@ pub(crate) fn trials() -> Vec<Trial> {
             trials.push(on_gpu(name, move |context| {
                 parity(context, subject, &variant)
             }));
+        }
+    }
+    for variant in bounced(128) {
+        for subject in &SUBJECTS[..3] {
+            let name = format!("parity/{}/{}.bounces", subject.name, variant.name());
+            if variant.gpu().is_ok() {
+                let variant = variant.copy();
+                trials.push(on_gpu(name, move |context| {
+                    parity(context, subject, &variant)
+                }));
+            }
         }
     }
     trials

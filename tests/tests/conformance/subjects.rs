@@ -1,12 +1,13 @@
 //! The scenes that trials run on, each with points.
 
+use crate::ensure;
 use glam::{DVec3, Vec3};
 use interreflect::view::View;
 use interreflect_cpu::scene::CpuScene;
 use interreflect_scene::conventions::{CUBE_FACES, cube_frame};
 use interreflect_scene::{
-    Camera, Environment, LatLongImage, Material, Mesh, Object, Point, PointLayout, Points, Role,
-    Scene, SceneRequest, SurfaceMaterial,
+    Camera, Environment, Estimate, LatLongImage, Material, Mesh, Object, Point, PointLayout,
+    Points, Role, Scene, SceneRequest, SurfaceMaterial,
 };
 use std::path::PathBuf;
 use std::sync::{Arc, LazyLock};
@@ -28,12 +29,29 @@ impl Subject {
         }
     }
 
-    fn library(name: &'static str) -> Self {
-        let scene = interreflect_scene::open(&SceneRequest::new(name)).expect("a library scene");
+    /// A scene of the library with settings, and what its camera sees.
+    pub(crate) fn library(name: &'static str, settings: &[(&str, &str)]) -> Self {
+        let set = settings
+            .iter()
+            .map(|&(name, value)| (name.into(), value.into()));
+        let request = SceneRequest {
+            set: set.collect(),
+            ..SceneRequest::new(name)
+        };
+        let scene = interreflect_scene::open(&request).expect("a library scene");
         let mut subject = Self::new(name, &scene, Vec::new());
         let view = View::of_about(&subject.cpu, &scene.camera, 400).expect("a view with points");
         subject.points = view.points(PointLayout::Material).iter().collect();
         subject
+    }
+
+    /// Another scene at the same points.
+    pub(crate) fn with_scene(&self, cpu: Arc<CpuScene>) -> Self {
+        Self {
+            cpu,
+            points: self.points.clone(),
+            ..*self
+        }
     }
 
     /// The points in a layout.
@@ -44,9 +62,9 @@ impl Subject {
 
 /// The subjects, each set up when it is first needed.
 pub(crate) static SUBJECTS: [LazyLock<Subject>; 5] = [
-    LazyLock::new(|| Subject::library("colored-room")),
-    LazyLock::new(|| Subject::library("cornell-box")),
-    LazyLock::new(|| Subject::library("studio")),
+    LazyLock::new(|| Subject::library("colored-room", &[])),
+    LazyLock::new(|| Subject::library("cornell-box", &[])),
+    LazyLock::new(|| Subject::library("studio", &[])),
     LazyLock::new(|| {
         let scene = room(ROOM_RADIANCES, ROOM_ORIGIN);
         Subject::new("emitting-box", &scene, inside(400))
@@ -99,6 +117,7 @@ pub(crate) fn room(radiances: [f32; 6], reference_point: Vec3) -> Scene {
             resolution: [16, 16],
         },
         reference_point,
+        captured_at: None,
     }
 }
 
@@ -159,4 +178,13 @@ pub(crate) fn inside(count: usize) -> Vec<Option<Point>> {
 pub(crate) fn shared_points() -> Option<PathBuf> {
     let folder = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../shared/points"));
     folder.join("room.csv").exists().then_some(folder)
+}
+
+/// Whether two estimates are the same, bit by bit.
+pub(crate) fn same_bits(a: &Estimate, b: impl Iterator<Item = glam::Vec3>) -> Result<(), String> {
+    for (i, (a, b)) in a.iter().zip(b).enumerate() {
+        let bits = |v: glam::Vec3| v.to_array().map(f32::to_bits);
+        ensure!(bits(a) == bits(b), "point {i} has {a} and {b}");
+    }
+    Ok(())
 }

@@ -5,7 +5,7 @@ use interreflect::stage::{CpuStage, GpuStage, Placed, Stage};
 use interreflect_cpu::tiles::CpuCx;
 use interreflect_estimators::{Captures, Changed, Configured, Inputs, Quantity, Registry};
 use interreflect_gpu::{GpuContext, GpuError, GpuScene};
-use interreflect_scene::{Estimate, Points};
+use interreflect_scene::{Estimate, Points, SceneFacts};
 use libtest_mimic::{Failed, Trial};
 use std::sync::{Arc, LazyLock};
 
@@ -122,6 +122,21 @@ pub(crate) fn on_both(
     [on_cpu, on_device]
 }
 
+/// The variants whose captured radiance can hold further reflections, holding two.
+pub(crate) fn bounced(captured: u32) -> Vec<Variant> {
+    let mut all = variants(captured);
+    let facts = SceneFacts {
+        surfaces: true,
+        ..SceneFacts::default()
+    };
+    all.retain_mut(|variant| {
+        let set = variant.method.set("bounces", "2").is_ok();
+        let needs = variant.method.needs(variant.quantity, &facts);
+        set && needs.is_ok_and(|needs| needs.cubes.iter().any(|spec| spec.bounces == 2))
+    });
+    all
+}
+
 /// A scene on the CPU.
 pub(crate) fn cpu_stage(subject: &Subject) -> CpuStage<'static> {
     CpuStage {
@@ -131,9 +146,12 @@ pub(crate) fn cpu_stage(subject: &Subject) -> CpuStage<'static> {
 }
 
 /// A scene on the GPU.
-pub(crate) fn gpu_stage(context: &Arc<GpuContext>, subject: &Subject) -> Result<GpuStage, Failed> {
+pub(crate) fn gpu_stage(
+    context: &Arc<GpuContext>,
+    subject: &Subject,
+) -> Result<GpuStage<'static>, Failed> {
     let scene = GpuScene::new(context, subject.cpu.scene())?;
-    Ok(GpuStage::new(context.clone(), scene))
+    Ok(GpuStage::new(context.clone(), scene, cpu_stage(subject)))
 }
 
 /// The captures that a method declares.
@@ -163,7 +181,7 @@ pub(crate) fn estimate<S: Stage>(
         points: placed,
         mut out,
     } = stage.place(points)?;
-    let origin = (facts, scene.reference_point);
+    let origin = (facts, scene.capture_origin(needs.keep_within_m));
     let inputs = Inputs::new(&needs, captures, &placed, points, origin, Changed::ALL);
     stage.timed("prepare", &mut |cx| {
         session.prepare(cx, quantity, &inputs, &out)

@@ -15,6 +15,7 @@ fn a_scene_file_says_what_it_says() {
             "s.toml",
             r#"
             reference_point = [1, 2, 3]
+            captured_at = [1, 2, 2]
             [camera]
             eye = [0, 0, 5]
             target = [0, 0, 0]
@@ -47,6 +48,11 @@ fn a_scene_file_says_what_it_says() {
         (scene.name.as_str(), scene.reference_point),
         ("s", Vec3::new(1.0, 2.0, 3.0))
     );
+    assert_eq!(scene.captured_at, Some(Vec3::new(1.0, 2.0, 2.0)));
+    for (keep_within_m, z) in [(0.0, 3.0), (0.5, 3.0), (1.0, 2.0)] {
+        let origin = scene.capture_origin(keep_within_m);
+        assert_eq!(origin, Vec3::new(1.0, 2.0, z), "{keep_within_m}");
+    }
     assert_eq!(
         scene.objects.iter().map(|o| o.role).collect::<Vec<_>>(),
         [Role::Environment, Role::Receiver]

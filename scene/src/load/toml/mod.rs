@@ -3,6 +3,7 @@
 //! ```toml
 //! name = "my-room"                       # default: the file's name
 //! reference_point = [0.0, 0.0, 0.0]      # default: centre of the receivers' box, or of the scene's
+//! captured_at = [0.0, 0.0, 0.0]          # where captures were made that may be kept; default: none are
 //! [camera]                               # default: see the whole scene
 //! eye = [0.0, 0.0, 3.0]
 //! target = [0.0, 0.0, 0.0]
@@ -52,6 +53,7 @@ type Vector = Spanned<[f32; 3]>;
 struct SceneTable {
     name: Option<Spanned<String>>,
     reference_point: Option<Vector>,
+    captured_at: Option<Vector>,
     camera: Option<Spanned<CameraTable>>,
     #[serde(default)]
     mesh: Vec<Spanned<MeshTable>>,
@@ -97,6 +99,10 @@ pub(super) fn read(path: &Path) -> Result<SceneFile, SceneError> {
         reference_point: table
             .reference_point
             .map(|o| source.vector("reference_point", &o))
+            .transpose()?,
+        captured_at: table
+            .captured_at
+            .map(|o| source.vector("captured_at", &o))
             .transpose()?,
         ..Setting::default()
     };

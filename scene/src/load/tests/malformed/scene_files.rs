@@ -5,7 +5,7 @@ fn malformed_scene_files() {
     let cases = [
         (
             "naem = \"x\"\n",
-            "DIR/s.toml:1: unknown field `naem`, expected one of `name`, `reference_point`, `camera`, `mesh`, `light`; did you mean `name`?",
+            "DIR/s.toml:1: unknown field `naem`, expected one of `name`, `reference_point`, `captured_at`, `camera`, `mesh`, `light`; did you mean `name`?",
         ),
         (
             "name = \n",
@@ -82,6 +82,14 @@ fn malformed_scene_files() {
         (
             "reference_point = [0, 0, 1e16]\n[[mesh]]\nshape = \"sphere\"\n",
             "DIR/s.toml: the reference point is [0.0, 0.0, 1e16]; use coordinates within ±1e15 m",
+        ),
+        (
+            "captured_at = [0, 0, 1e16]\n[[mesh]]\nshape = \"sphere\"\n",
+            "DIR/s.toml: captures were made at [0.0, 0.0, 1e16]; use coordinates within ±1e15 m",
+        ),
+        (
+            "captured_at = [0, nan, 0]\n[[mesh]]\nshape = \"sphere\"\n",
+            "DIR/s.toml:1: `captured_at` is [0.0, NaN, 0.0]; use finite numbers",
         ),
         (
             "[[mesh]]\nshape = \"sphere\"\nmaterial = { emission = [3e38, 1, 1] }\n",
