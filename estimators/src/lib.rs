@@ -17,8 +17,12 @@ mod registry;
 
 pub mod classic_envmap;
 pub mod constant_ambient;
+pub mod convolution;
 pub mod localized_cubemap;
 pub mod path_reference;
+pub mod phong_envmap;
+pub mod reflection;
+pub mod sh_mip_envmap;
 
 /// WGSL twin of [`interreflect_cpu::lane::Lane::lobe_power`].
 const LOBE_POWER: &str = include_str!("lobe_power.wgsl");

@@ -4,10 +4,10 @@
 
 mod cpu;
 mod gpu;
-mod map;
 pub mod math;
 mod params;
 
+use crate::convolution::Sizes;
 use crate::{
     Backend, Changed, EstimatorError, Info, Inputs, Method, OwnModel, Quantity, Unsupported,
 };
@@ -50,6 +50,14 @@ impl ClassicEnvmapParams {
     /// The captured cube: `capture_resolution`, rounded up to a multiple of `resolution`.
     pub fn captured(&self) -> CubeSpec {
         CubeSpec::of_radiance(self.capture_resolution.next_multiple_of(self.resolution))
+    }
+
+    fn sizes(&self) -> Sizes {
+        Sizes {
+            captured: self.captured(),
+            resolution: self.resolution,
+            cells: self.map_resolution,
+        }
     }
 }
 

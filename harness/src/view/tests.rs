@@ -20,13 +20,9 @@ fn footprints_are_the_larger_turn_to_a_neighbour() {
         None,
         turned(0.3),
     ];
-    let expected = [
-        // Right 1e-3, below 4e-3.
-        8e-3, // Right ½e-3; below and above there is nothing.
-        1e-3, // Left ½e-3, below 0.2985.
-        0.597, // Right and left nothing, above 4e-3.
-        8e-3, 0.0, 0.597,
-    ];
+    // Right 1e-3, below 4e-3; right ½e-3 alone; left ½e-3, below 0.2985; above 4e-3 alone; no
+    // surface; above 0.2985 alone.
+    let expected = [8e-3, 1e-3, 0.597, 8e-3, 0.0, 0.597];
     for (i, expected) in expected.into_iter().enumerate() {
         let found = footprint(&points, 3, i);
         // Directions rounded to float32.

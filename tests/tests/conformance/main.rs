@@ -4,6 +4,7 @@
 //! `INTERREFLECT_REQUIRE_GPU=1` they then fail.
 
 mod bits;
+mod environment_maps;
 mod errata;
 mod needs;
 mod parity;
@@ -26,6 +27,7 @@ fn main() {
         bits::trials(),
         parity::trials(),
         errata::trials(),
+        environment_maps::trials(),
         path_reference::trials(),
         room::trials(),
         room_ties::trials(),

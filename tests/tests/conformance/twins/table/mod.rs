@@ -2,7 +2,10 @@
 
 mod classic_envmap;
 mod constant_ambient;
+mod convolution;
 mod localized_cubemap;
+mod reflection;
+mod sh_mip_envmap;
 mod shared;
 
 use super::{ARGUMENTS, Call, Twin};
@@ -13,8 +16,9 @@ type Input = [f32; ARGUMENTS];
 
 /// Functions that only the host calls: method and name.
 pub(super) const CPU_ONLY: &[(&str, &str)] = &[
-    ("classic_envmap", "texel_vector_sr"),
-    ("classic_envmap", "node_direction"),
+    ("convolution", "texel_vector_sr"),
+    ("convolution", "node_direction"),
+    ("sh_mip_envmap", "band_factor"),
 ];
 
 /// WGSL's accuracy, in units in the last place of 2⁻²³: 2.5 for a division, about 3 for a square
@@ -73,7 +77,10 @@ pub(super) fn twins() -> impl Iterator<Item = &'static Twin> {
         shared::TWINS,
         constant_ambient::TWINS,
         classic_envmap::TWINS,
+        convolution::TWINS,
+        reflection::TWINS,
         localized_cubemap::TWINS,
+        sh_mip_envmap::TWINS,
     ];
     tables.into_iter().flatten()
 }
