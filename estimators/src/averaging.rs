@@ -1,8 +1,12 @@
 //! Averaging a captured cube down to fewer texels.
 
+mod gpu;
+
+pub(crate) use gpu::{AVERAGE, Target, record_average};
+
 use glam::{DVec3, Vec3};
 use interreflect_scene::CubeImage;
-use interreflect_scene::conventions::texel_index;
+use interreflect_scene::conventions::{CUBE_FACES, texel_index};
 
 /// Solid angles in sr of the texels of one face of `size`² texels, row by row; the other faces'
 /// are the same.
@@ -65,9 +69,34 @@ pub(crate) fn mean_radiance(
     (radiance / total).as_vec3()
 }
 
+/// Mean radiance of all texels of a cube of `m`² a face, in the order of texel indices; weights as
+/// in [`mean_radiance`].
+pub(crate) fn averaged<'a>(
+    captured: &'a CubeImage,
+    omegas_sr: &'a [f32],
+    m: u32,
+) -> impl Iterator<Item = Vec3> + 'a {
+    let mean = move |(face, column, row)| mean_radiance(captured, omegas_sr, m, face, column, row);
+    cube_texels(m).map(mean)
+}
+
+/// Face, column and row of every texel of a cube of `size`² a face, in the order of texel indices.
+pub(crate) fn cube_texels(size: u32) -> impl Iterator<Item = (usize, u32, u32)> {
+    (0..CUBE_FACES).flat_map(move |face| {
+        (0..size).flat_map(move |row| (0..size).map(move |column| (face, column, row)))
+    })
+}
+
 #[cfg(test)]
 mod tests {
+    use super::gpu::Average;
     use super::*;
+    use crate::layout::assert_layout;
+
+    #[test]
+    fn structs_have_the_same_layout() {
+        assert_layout!(AVERAGE, Average, [resolution, size, border, pad]);
+    }
     use interreflect_scene::conventions::texel_solid_angle_sr;
 
     #[test]

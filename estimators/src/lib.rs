@@ -18,10 +18,14 @@ mod registry;
 
 pub mod classic_envmap;
 pub mod constant_ambient;
+pub mod convolution;
 pub mod localized_cubemap;
 pub mod path_reference;
+pub mod phong_envmap;
 pub mod point_form_factor;
 pub mod polygon_form_factor;
+pub mod reflection;
+pub mod sh_mip_envmap;
 pub mod texels;
 
 /// WGSL twin of [`interreflect_cpu::lane::Lane::lobe_power`].

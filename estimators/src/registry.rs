@@ -264,6 +264,8 @@ impl Registry {
         Self::default()
             .with(Entry::both::<crate::constant_ambient::ConstantAmbient>())
             .with(Entry::both::<crate::classic_envmap::ClassicEnvmap>())
+            .with(Entry::both::<crate::sh_mip_envmap::ShMipEnvmap>())
+            .with(Entry::both::<crate::phong_envmap::PhongEnvmap>())
             .with(Entry::both::<crate::localized_cubemap::LocalizedCubemap>())
             .with(Entry::both::<crate::point_form_factor::PointFormFactor>())
             .with(Entry::both::<crate::polygon_form_factor::PolygonFormFactor>())

@@ -100,6 +100,7 @@ fn planes_of_points_are_the_same() {
         ("DIFFUSE", PointLayout::DIFFUSE),
         ("SPECULAR", PointLayout::SPECULAR),
         ("SHININESS", PointLayout::SHININESS),
+        ("FOOTPRINT", PointLayout::FOOTPRINT),
         ("ESTIMATE_PLANES", Estimate::PLANES),
         ("CUBE_FACES", conventions::CUBE_FACES),
     ] {

@@ -103,10 +103,14 @@ impl View {
                 Traced::new(scene, camera.eye.as_dvec3(), direction, only_receivers)
             })
             .collect();
+        let traced_points: Vec<_> = traced.iter().map(|traced| traced.point).collect();
         let mut points = Vec::new();
-        let pixels = traced.iter().map(|traced| Pixel {
+        let pixels = traced.iter().enumerate().map(|(i, traced)| Pixel {
             point: traced.point.map(|point| {
-                points.push(point);
+                points.push(Point {
+                    footprint: footprint(&traced_points, width as usize, i),
+                    ..point
+                });
                 points.len() - 1
             }),
             throughput: traced.throughput,
@@ -218,6 +222,27 @@ impl Traced {
     }
 }
 
+/// Angle in radians between the mirrored directions of pixel `i` and of its neighbours: the pixels
+/// right and below, or where these show no shaded surface left and above; the larger of the two,
+/// 0 without a neighbour.
+fn footprint(points: &[Option<Point>], width: usize, i: usize) -> f32 {
+    let mirrored = |point: Point| point.normal * (2.0 * point.normal.dot(point.view)) - point.view;
+    let direction = |i: Option<usize>| i.and_then(|i| points.get(i).copied()?).map(mirrored);
+    let Some(here) = direction(Some(i)) else {
+        return 0.0;
+    };
+    let column = i % width;
+    let right = (column + 1 < width).then_some(i + 1);
+    let left = (column > 0).then(|| i - 1);
+    let (below, above) = (Some(i + width), i.checked_sub(width));
+    [[right, left], [below, above]]
+        .into_iter()
+        .filter_map(|[next, previous]| direction(next).or_else(|| direction(previous)))
+        // The chord's length keeps small angles, which the cosine loses.
+        .map(|there| 2.0 * (0.5 * here.distance(there)).min(1.0).asin())
+        .fold(0.0, f32::max)
+}
+
 fn shaded(hit: &SurfaceHit, direction: Vec3) -> Point {
     Point {
         position: hit.position.as_vec3(),
@@ -228,5 +253,9 @@ fn shaded(hit: &SurfaceHit, direction: Vec3) -> Point {
             specular: hit.material.specular,
             shininess: hit.material.shininess,
         },
+        footprint: 0.0,
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -14,7 +14,8 @@ pub const LANES: usize = 64;
 pub enum PointLayout {
     /// Position, normal and mask: enough for irradiance and ambient occlusion.
     Surface,
-    /// As `Surface`, then view direction, k_d, k_s and shininess: enough for reflected radiance.
+    /// As `Surface`, then view direction, k_d, k_s, shininess and footprint: enough for reflected
+    /// radiance.
     Material,
 }
 
@@ -33,12 +34,14 @@ impl PointLayout {
     pub const SPECULAR: usize = 13;
     /// Plane of the Blinn–Phong exponent.
     pub const SHININESS: usize = 16;
+    /// Plane of the mirrored direction's change to the neighbouring pixels, in radians.
+    pub const FOOTPRINT: usize = 17;
 
     /// Number of planes in a block.
     pub const fn planes(self) -> usize {
         match self {
             Self::Surface => 7,
-            Self::Material => 17,
+            Self::Material => 18,
         }
     }
 }
@@ -65,6 +68,10 @@ pub struct Point {
     pub view: Vec3,
     /// Reflection at the point; zero where the layout has none.
     pub material: SurfaceMaterial,
+    /// Angle in radians between the mirrored view direction here and at the neighbouring pixels,
+    /// the larger of a column's and a row's; 0 where it is not known: points that are no pixels,
+    /// and layouts that have none.
+    pub footprint: f32,
 }
 
 /// A list of points in blocks of planes.
@@ -100,6 +107,7 @@ impl Points {
                 put(PointLayout::DIFFUSE, &p.material.diffuse.to_array());
                 put(PointLayout::SPECULAR, &p.material.specular.to_array());
                 put(PointLayout::SHININESS, &[p.material.shininess]);
+                put(PointLayout::FOOTPRINT, &[p.footprint]);
             }
         }
         Self {
@@ -161,6 +169,7 @@ impl Points {
                 specular: vector(PointLayout::SPECULAR),
                 shininess: at(PointLayout::SHININESS),
             };
+            point.footprint = at(PointLayout::FOOTPRINT);
         }
         Some(point)
     }
@@ -257,6 +266,7 @@ mod tests {
                     specular: Vec3::splat(0.25),
                     shininess: i as f32,
                 },
+                footprint: 0.01 * i as f32,
             })
         };
         for len in [0, 1, 63, 64, 65, 200] {

@@ -4,13 +4,11 @@
 
 mod cpu;
 mod gpu;
-mod map;
 pub mod math;
 mod params;
 
-use crate::{
-    Backend, Changed, EstimatorError, Info, Inputs, Method, OwnModel, Quantity, Unsupported,
-};
+use crate::convolution::Sizes;
+use crate::{Info, Method, OwnModel, Quantity, Unsupported};
 use interreflect_scene::{CubeSpec, Needs, SceneFacts};
 
 pub use params::ClassicEnvmapParams;
@@ -57,41 +55,12 @@ impl ClassicEnvmapParams {
             ..CubeSpec::of_radiance(size)
         }
     }
-}
 
-/// Lobes that one filtered map is kept for.
-pub const MAX_LOBES: usize = 8;
-
-/// The Phong exponents that the points' glossy materials call for, each once, ascending; none for
-/// other quantities. `kept` are those of the session's last `prepare`: they hold until the points
-/// change.
-fn lobe_exponents<B: Backend>(
-    quantity: Quantity,
-    inputs: &Inputs<'_, B>,
-    kept: Vec<f32>,
-) -> Result<Vec<f32>, EstimatorError> {
-    if quantity != Quantity::GlossyRadiance {
-        return Ok(Vec::new());
-    }
-    if !(kept.is_empty() || inputs.changed.any(Changed::POINTS)) {
-        return Ok(kept);
-    }
-    let mut exponents: Vec<f32> = Vec::new();
-    for point in inputs.host_points.iter().flatten() {
-        let exponent = math::phong_exponent(point.material.shininess);
-        if let Err(place) = exponents.binary_search_by(|e| e.total_cmp(&exponent)) {
-            exponents.insert(place, exponent);
-        }
-        if exponents.len() > MAX_LOBES {
-            return Err(Unsupported(format!(
-                "classic_envmap filters one map per shininess, at most {MAX_LOBES}; the points \
-                 have more: use fewer materials"
-            ))
-            .into());
+    fn sizes(&self) -> Sizes {
+        Sizes {
+            captured: self.captured(),
+            resolution: self.resolution,
+            cells: self.map_resolution,
         }
     }
-    if exponents.is_empty() {
-        exponents.push(0.0);
-    }
-    Ok(exponents)
 }

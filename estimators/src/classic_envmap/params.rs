@@ -2,9 +2,6 @@ use crate::fields;
 use interreflect_scene::params::{Field, Params};
 
 /// Parameters of [`super::ClassicEnvmap`].
-///
-/// The ranges keep every loop of a shader invocation below 65,536 turns, all its loops together:
-/// lavapipe ends them there without a word.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClassicEnvmapParams {
     /// Texels along a face's edge that the convolution sums over.
@@ -31,29 +28,13 @@ impl Default for ClassicEnvmapParams {
 impl Params for ClassicEnvmapParams {
     fn fields() -> Vec<Field<Self>> {
         vec![
-            Field::u32(
-                "resolution",
-                "texels along a face's edge that the convolution sums over",
-                8..=64,
-                |p: &Self| p.resolution,
-                |p, v| p.resolution = v,
-            )
-            .unit("texels")
-            .log(),
+            fields::convolution_resolution(|p: &Self| p.resolution, |p, v| p.resolution = v),
             fields::capture_resolution(
                 |p: &Self| p.capture_resolution,
                 |p, v| p.capture_resolution = v,
             ),
             fields::bounces(|p: &Self| p.bounces, |p, v| p.bounces = v),
-            Field::u32(
-                "map_resolution",
-                "cells along a face's edge of the convolved maps",
-                1..=256,
-                |p: &Self| p.map_resolution,
-                |p, v| p.map_resolution = v,
-            )
-            .unit("cells")
-            .log(),
+            fields::map_resolution(|p: &Self| p.map_resolution, |p, v| p.map_resolution = v),
         ]
     }
 }

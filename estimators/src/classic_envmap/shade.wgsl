@@ -9,23 +9,12 @@ struct Shade {
 }
 
 @group(0) @binding(3) var<uniform> shade: Shade;
-@group(0) @binding(4) var<storage, read> maps: array<vec4f>;
-
-// Bilinear value of map `index` in a direction.
-fn lookup(index: u32, direction: vec3f) -> vec3f {
-    let taps = map_taps(shade.cells, direction);
-    let base = index * map_nodes(shade.cells) + taps.base;
-    return maps[base].rgb * ((1.0 - taps.u) * (1.0 - taps.v))
-        + maps[base + 1u].rgb * (taps.u * (1.0 - taps.v))
-        + maps[base + taps.side].rgb * ((1.0 - taps.u) * taps.v)
-        + maps[base + taps.side + 1u].rgb * (taps.u * taps.v);
-}
 
 @compute @workgroup_size(64)
 fn irradiance(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
     let point = point_index(group, groups, lane);
     if has_surface(point) {
-        write_estimate(point, lookup(0u, point_vector(point, NORMAL)));
+        write_estimate(point, map_lookup(shade.cells, 0u, point_vector(point, NORMAL)));
     }
 }
 
@@ -36,14 +25,14 @@ fn glossy(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: 
         return;
     }
     let n = point_vector(point, NORMAL);
-    let v = point_vector(point, VIEW);
-    let reflected = n * (2.0 * dot(n, v)) - v;
+    let reflected = mirrored(n, point_vector(point, VIEW));
     let exponent = phong_exponent(point_value(point, SHININESS));
     var lobe = 0u;
     while lobe + 1u < shade.lobes && shade.exponents[lobe / 4u][lobe % 4u] < exponent {
         lobe++;
     }
-    let diffuse = lookup(0u, n) * INV_PI;
-    let specular = lookup(1u + lobe, reflected);
+    let diffuse = map_lookup(shade.cells, 0u, n) * INV_PI;
+    // Without lobes nothing shines, and any map will do.
+    let specular = map_lookup(shade.cells, min(1u + lobe, shade.lobes), reflected);
     write_estimate(point, point_vector(point, DIFFUSE) * diffuse + point_vector(point, SPECULAR) * specular);
 }

@@ -9,6 +9,7 @@ const VIEW: u32 = 7u;
 const DIFFUSE: u32 = 10u;
 const SPECULAR: u32 = 13u;
 const SHININESS: u32 = 16u;
+const FOOTPRINT: u32 = 17u;
 const ESTIMATE_PLANES: u32 = 3u;
 
 struct PointsInfo {

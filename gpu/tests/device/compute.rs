@@ -56,6 +56,7 @@ fn point(i: usize) -> Point {
             specular: vector(5.0),
             shininess: 3.0 * i as f32,
         },
+        footprint: 0.5 * i as f32,
     }
 }
 
@@ -81,7 +82,8 @@ fn points_arrive_and_estimates_return(context: &Arc<GpuContext>) -> Result<(), F
                     (Some(p), PointLayout::Surface) => p.position + 10.0 * p.normal,
                     (Some(p), PointLayout::Material) => {
                         let m = p.material;
-                        p.view + 10.0 * m.diffuse + 100.0 * m.specular + 1000.0 * m.shininess
+                        let lobe = 1000.0 * m.shininess + 10_000.0 * p.footprint;
+                        p.view + 10.0 * m.diffuse + 100.0 * m.specular + lobe
                     }
                 };
                 let error = (result.get(i) - expected).abs().max_element();

@@ -24,6 +24,6 @@ fn material(
         return;
     }
     let reflection = 10.0 * point_vector(i, DIFFUSE) + 100.0 * point_vector(i, SPECULAR);
-    let lobe = 1000.0 * point_value(i, SHININESS);
+    let lobe = 1000.0 * point_value(i, SHININESS) + 10000.0 * point_value(i, FOOTPRINT);
     write_estimate(i, point_vector(i, VIEW) + reflection + lobe);
 }

@@ -110,6 +110,7 @@ fn constant_environment_gives_pi_and_the_lobes_reflectance() {
                 specular: Vec3::ONE,
                 shininess,
             },
+            ..Point::default()
         };
         let exact = reflectance(&point);
         for model in models {

@@ -6,6 +6,7 @@
 mod bits;
 mod bounces;
 mod costs;
+mod environment_maps;
 mod errata;
 mod form_factors;
 mod moved;
@@ -34,6 +35,7 @@ fn main() {
         bounces::trials(),
         errata::trials(),
         form_factors::trials(),
+        environment_maps::trials(),
         path_reference::trials(),
         room::trials(),
         room_ties::trials(),

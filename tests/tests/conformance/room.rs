@@ -117,7 +117,15 @@ type Column = (
 );
 
 /// Columns of methods without a resolution.
-const ONE_COLUMN: &[Column] = &[("classic", "classic_envmap", &[])];
+const ONE_COLUMN: &[Column] = &[
+    ("classic", "classic_envmap", &[]),
+    // The column projects a map of 512² texels a face, each by its centre and exact solid angle.
+    (
+        "sh9",
+        "sh_mip_envmap",
+        &[("capture_resolution", "512"), ("sh_resolution", "64")],
+    ),
+];
 
 /// Columns that exist for M = 2, 4, 8 and 16.
 const COLUMNS: &[Column] = &[
@@ -215,6 +223,12 @@ impl Case {
                 absolute: 2.0 / (8.0 * 16.0 * 16.0) * PI,
                 relative: 0.0,
                 cause: "the bilinear lookup in a map of 32 cells along a face's edge",
+            },
+            "sh9" => Tolerance {
+                absolute: 1e-4 * PI,
+                relative: 0.0,
+                cause: "averages of 8x8 of the column's texels count by their centres: 3.4e-5; \
+                        and the captured texels on the room's edges, 2e-5 sr each",
             },
             _ => Tolerance {
                 absolute: 1e-4 * PI,

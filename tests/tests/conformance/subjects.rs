@@ -169,6 +169,7 @@ pub(crate) fn inside(count: usize) -> Vec<Option<Point>> {
                 specular: Vec3::new(0.2, 0.3, 0.4),
                 shininess: [1.0, 5.0, 50.0][i % 3],
             },
+            ..Point::default()
         })
     };
     (0..count).map(point).collect()

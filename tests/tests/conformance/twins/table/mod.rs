@@ -2,9 +2,12 @@
 
 mod classic_envmap;
 mod constant_ambient;
+mod convolution;
 mod localized_cubemap;
 mod point_form_factor;
 mod polygon_form_factor;
+mod reflection;
+mod sh_mip_envmap;
 mod shared;
 mod texels;
 
@@ -16,8 +19,9 @@ type Input = [f32; ARGUMENTS];
 
 /// Functions that only the host calls: method and name.
 pub(super) const CPU_ONLY: &[(&str, &str)] = &[
-    ("classic_envmap", "texel_vector_sr"),
-    ("classic_envmap", "node_direction"),
+    ("convolution", "texel_vector_sr"),
+    ("convolution", "node_direction"),
+    ("sh_mip_envmap", "band_factor"),
     ("localized_cubemap", "texel_omega_text"),
     ("localized_cubemap", "texel_omega_shader"),
     ("localized_cubemap", "disc_area"),
@@ -80,10 +84,13 @@ pub(super) fn twins() -> impl Iterator<Item = &'static Twin> {
         shared::TWINS,
         constant_ambient::TWINS,
         classic_envmap::TWINS,
+        convolution::TWINS,
+        reflection::TWINS,
         localized_cubemap::TWINS,
         point_form_factor::TWINS,
         polygon_form_factor::TWINS,
         texels::TWINS,
+        sh_mip_envmap::TWINS,
     ];
     tables.into_iter().flatten()
 }

@@ -10,9 +10,11 @@ struct Convolve {
 }
 
 @group(0) @binding(0) var<uniform> convolve: Convolve;
-@group(0) @binding(1) var<storage, read> sources: array<Source>;
-@group(0) @binding(2) var<storage, read> directions: array<vec4f>;
-@group(0) @binding(3) var<storage, read_write> maps: array<vec4f>;
+// Vector solid angles and radiances of the texels at infinity.
+@group(0) @binding(1) var<storage, read> vectors: array<vec4f>;
+@group(0) @binding(2) var<storage, read> radiances: array<vec4f>;
+@group(0) @binding(3) var<storage, read> directions: array<vec4f>;
+@group(0) @binding(4) var<storage, read_write> maps: array<vec4f>;
 
 @compute @workgroup_size(64)
 fn convolve_cosine(@builtin(global_invocation_id) id: vec3u) {
@@ -22,7 +24,7 @@ fn convolve_cosine(@builtin(global_invocation_id) id: vec3u) {
     let n = directions[id.x].xyz;
     var sum = vec3f(0.0);
     for (var k = 0u; k < convolve.sources; k++) {
-        sum += sources[k].radiance * cosine_weight(n, sources[k].vector);
+        sum += radiances[k].rgb * cosine_weight(n, vectors[k].xyz);
     }
     maps[convolve.first + id.x] = vec4f(sum, 0.0);
 }
@@ -35,14 +37,14 @@ fn convolve_phong(@builtin(global_invocation_id) id: vec3u) {
     let r = directions[id.x].xyz;
     var cos_max = 0.0;
     for (var k = 0u; k < convolve.sources; k++) {
-        cos_max = max(cos_max, dot(r, sources[k].vector) / length(sources[k].vector));
+        cos_max = max(cos_max, dot(r, vectors[k].xyz) / length(vectors[k].xyz));
     }
     var sum = vec4f(0.0);
     for (var k = 0u; k < convolve.sources; k++) {
-        let omega_sr = length(sources[k].vector);
-        let cos_theta = dot(r, sources[k].vector) / omega_sr;
+        let omega_sr = length(vectors[k].xyz);
+        let cos_theta = dot(r, vectors[k].xyz) / omega_sr;
         let weight = omega_sr * phong_weight(cos_theta, cos_max, convolve.exponent);
-        sum += vec4f(sources[k].radiance, 1.0) * weight;
+        sum += vec4f(radiances[k].rgb, 1.0) * weight;
     }
     maps[convolve.first + id.x] = vec4f(sum.rgb / sum.w, 0.0);
 }

@@ -1,16 +1,19 @@
-// The captured cube averaged down to the texels that the convolution sums over, one invocation each.
+// The captured cube averaged down to fewer texels, one invocation each.
 
 struct Average {
     // Texels along the edge of the averaged and of the captured cube.
     resolution: u32,
     size: u32,
+    // Texels of border around each averaged face, which are left as they are.
+    border: u32,
+    pad: u32,
 }
 
 @group(0) @binding(0) var<uniform> average: Average;
-@group(0) @binding(1) var<storage, read_write> sources: array<Source>;
+@group(0) @binding(1) var<storage, read_write> averaged: array<vec4f>;
 @group(0) @binding(2) var captured: texture_2d_array<f32>;
-// Solid angles of the captured texels of a face.
-@group(0) @binding(3) var<storage, read> omegas_sr: array<f32>;
+// Weights of the captured texels of a face.
+@group(0) @binding(3) var<storage, read> weights: array<f32>;
 
 @compute @workgroup_size(64)
 fn average_radiance(@builtin(global_invocation_id) id: vec3u) {
@@ -25,8 +28,10 @@ fn average_radiance(@builtin(global_invocation_id) id: vec3u) {
     var sum = vec4f(0.0);
     for (var k = 0u; k < step * step; k++) {
         let at = vec2u(column, row) * step + vec2u(k % step, k / step);
-        let omega_sr = omegas_sr[at.y * average.size + at.x];
-        sum += vec4f(textureLoad(captured, at, face, 0).rgb, 1.0) * omega_sr;
+        let weight = weights[at.y * average.size + at.x];
+        sum += vec4f(textureLoad(captured, at, face, 0).rgb, 1.0) * weight;
     }
-    sources[id.x].radiance = sum.rgb / sum.w;
+    let side = average.resolution + 2u * average.border;
+    let place = texel_index(side, face, column + average.border, row + average.border);
+    averaged[place] = vec4f(sum.rgb / sum.w, 0.0);
 }

@@ -1,0 +1,67 @@
+//! Phong-filtered environment maps: the slow method that Kautz, Daubert & Seidel, *Advanced
+//! Environment Mapping in VR Applications*, compare theirs with. Irradiance by the exact cosine
+//! convolution; glossy radiance from a cube map filtered with one Phong lobe, looked up along the
+//! mirrored direction; Schlick's Fresnel factor between them.
+
+mod cpu;
+mod gpu;
+mod params;
+
+use crate::convolution::Sizes;
+use crate::{Info, Method, OwnModel, Quantity, Unsupported};
+use interreflect_scene::{CubeSpec, Needs, SceneFacts};
+
+pub use params::PhongEnvmapParams;
+
+/// The method.
+pub struct PhongEnvmap;
+
+impl Method for PhongEnvmap {
+    type Params = PhongEnvmapParams;
+
+    const INFO: Info = Info {
+        id: "phong_envmap",
+        title: "Phong-filtered environment map",
+        source: "J. Kautz, K. Daubert, H.-P. Seidel: Advanced Environment Mapping in VR \
+                 Applications (what it is compared with)",
+    };
+
+    const QUANTITIES: &'static [Quantity] = &[Quantity::Irradiance, Quantity::GlossyRadiance];
+
+    fn needs(
+        params: &Self::Params,
+        _quantity: Quantity,
+        _scene: &SceneFacts,
+    ) -> Result<Needs, Unsupported> {
+        Ok(Needs {
+            cubes: [params.sizes().captured].into(),
+            ..Needs::default()
+        })
+    }
+
+    fn model(params: &Self::Params, _quantity: Quantity) -> OwnModel {
+        OwnModel::EnvironmentAtInfinity {
+            bounces: params.bounces,
+        }
+    }
+}
+
+impl PhongEnvmapParams {
+    /// The captured cube is one of `capture_resolution`, rounded up to a multiple of `resolution`.
+    fn sizes(&self) -> Sizes {
+        let size = self.capture_resolution.next_multiple_of(self.resolution);
+        Sizes {
+            captured: CubeSpec {
+                bounces: self.bounces,
+                ..CubeSpec::of_radiance(size)
+            },
+            resolution: self.resolution,
+            cells: self.map_resolution,
+        }
+    }
+
+    /// The exponents of the lobes to filter with: one if any point needs it.
+    fn exponents(&self, needed: bool) -> Vec<f32> {
+        needed.then_some(self.exponent).into_iter().collect()
+    }
+}

@@ -1,0 +1,7 @@
+use super::{SHADE, Shade};
+use crate::layout::assert_layout;
+
+#[test]
+fn structs_have_the_same_layout() {
+    assert_layout!(SHADE, Shade, [cells, f_lambda]);
+}

@@ -1,0 +1,53 @@
+//! Reflection of an environment at infinity: the mirrored direction, Schlick's Fresnel factor and
+//! what they make of irradiance and filtered radiance.
+
+pub mod math;
+
+use crate::{Backend, Changed, Inputs, Quantity};
+use glam::Vec3;
+use interreflect_cpu::lane::{Lane, Vector, WIDTH, Wide};
+
+/// Twins of math.rs.
+pub(crate) const LEAVES: &str = include_str!("math.wgsl");
+
+/// Whether the points of a session reflect by a specular lobe, found out anew when they change.
+#[derive(Default)]
+pub(crate) struct Lobes(Option<bool>);
+
+impl Lobes {
+    /// Whether what is estimated needs radiance filtered with a lobe: a glossy quantity, and some
+    /// point with k_s ≠ 0.
+    pub(crate) fn needed<B: Backend>(
+        &mut self,
+        quantity: Quantity,
+        inputs: &Inputs<'_, B>,
+    ) -> bool {
+        if quantity != Quantity::GlossyRadiance {
+            return false;
+        }
+        if self.0.is_none() || inputs.changed.any(Changed::POINTS) {
+            let mut points = inputs.host_points.iter().flatten();
+            self.0 = Some(points.any(|point| point.material.specular != Vec3::ZERO));
+        }
+        self.0 == Some(true)
+    }
+}
+
+/// One lane of a vector.
+#[inline(always)]
+pub(crate) fn at(v: Vector<Wide>, lane: usize) -> Vec3 {
+    Vec3::new(v.x.0[lane], v.y.0[lane], v.z.0[lane])
+}
+
+/// Sixteen values, lane by lane.
+#[inline(always)]
+pub(crate) fn lanes(value: impl Fn(usize) -> Vec3) -> [Wide; 3] {
+    let mut planes = [Wide::splat(0.0); 3];
+    for lane in 0..WIDTH {
+        let rgb = value(lane);
+        for c in 0..3 {
+            planes[c].0[lane] = rgb[c];
+        }
+    }
+    planes
+}

@@ -1,0 +1,172 @@
+//! Spherical harmonics and mip pyramid on the CPU.
+
+mod pyramid;
+
+use super::math::{HARMONICS, biased_level, harmonics};
+use super::tables::harmonic_weights;
+use super::{LodMode, ShMipEnvmap, ShMipEnvmapParams, check_levels};
+use crate::averaging::{averaged, face_solid_angles_sr};
+use crate::kept::Kept;
+use crate::reflection::math::{fresnel_mix, mirrored, schlick};
+use crate::reflection::{Lobes, at, lanes};
+use crate::{Changed, Cpu, Estimator, EstimatorError, Inputs, Quantity};
+use glam::{DVec3, Vec3};
+use interreflect_cpu::lane::{Lane, Vector, WIDTH, Wide};
+use interreflect_cpu::tiles::{CpuCx, PointLanes, TileKernel};
+use interreflect_scene::{CubeImage, Estimate, PointLayout};
+use pyramid::{BoxWeights, Pyramid};
+
+/// The tables, the coefficients and the pyramid, kept across frames.
+#[derive(Default)]
+pub struct State {
+    tables: Kept<ShMipEnvmapParams, Tables>,
+    boxes: Kept<ShMipEnvmapParams, BoxWeights>,
+    lobes: Lobes,
+    irradiance: Option<Harmonics>,
+    /// There where some point has a lobe.
+    pyramid: Option<Pyramid>,
+}
+
+struct Tables {
+    omegas_sr: Vec<f32>,
+    weights: Vec<f32>,
+}
+
+/// Coefficients of the irradiance.
+struct Harmonics([Vec3; HARMONICS]);
+
+impl Harmonics {
+    /// Projects the capture, averaged by solid angle.
+    fn project(params: &ShMipEnvmapParams, tables: &Tables, captured: &CubeImage) -> Self {
+        let means: Vec<Vec3> = averaged(captured, &tables.omegas_sr, params.sh_size()).collect();
+        let mut coefficients = [Vec3::ZERO; HARMONICS];
+        let of_harmonics = tables.weights.chunks_exact(means.len());
+        for (coefficient, weights) in coefficients.iter_mut().zip(of_harmonics) {
+            let terms = means.iter().zip(weights);
+            let sum: DVec3 = terms.map(|(l, w)| l.as_dvec3() * f64::from(*w)).sum();
+            *coefficient = sum.as_vec3();
+        }
+        Self(coefficients)
+    }
+
+    /// E(n) = Σ Â_i·L_i·Y_i(n).
+    #[inline(always)]
+    fn irradiance(&self, n: Vector<Wide>) -> [Wide; 3] {
+        let mut sum = [Wide::splat(0.0); 3];
+        for (coefficient, y) in self.0.iter().zip(harmonics(n)) {
+            for (sum, c) in sum.iter_mut().zip(coefficient.to_array()) {
+                *sum = *sum + Wide([c; WIDTH]) * y;
+            }
+        }
+        sum
+    }
+}
+
+impl Estimator<Cpu> for ShMipEnvmap {
+    type State = State;
+
+    fn prepare(
+        params: &ShMipEnvmapParams,
+        state: &mut State,
+        _cx: &mut &CpuCx,
+        quantity: Quantity,
+        inputs: &Inputs<'_, Cpu>,
+        _out: &Estimate,
+    ) -> Result<(), EstimatorError> {
+        let lobes = state.lobes.needed(quantity, inputs);
+        if lobes {
+            check_levels(params, inputs)?;
+        }
+        let stale = inputs.changed.any(Changed::PARAMS | Changed::CAPTURES);
+        if stale || state.irradiance.is_none() {
+            let captured = inputs.cube(&params.captured())?;
+            let tables = state.tables.tables(params, || {
+                Ok(Tables {
+                    omegas_sr: face_solid_angles_sr(captured.size),
+                    weights: harmonic_weights(params),
+                })
+            })?;
+            state.irradiance = Some(Harmonics::project(params, tables, captured));
+        }
+        if !lobes {
+            state.pyramid = None;
+        } else if stale || state.pyramid.is_none() {
+            let captured = inputs.cube(&params.captured())?;
+            let boxes = state.boxes.tables(params, || Ok(BoxWeights::new(params)))?;
+            state.pyramid = Some(Pyramid::new(params, boxes, captured));
+        }
+        Ok(())
+    }
+
+    fn shade(
+        params: &ShMipEnvmapParams,
+        state: &mut State,
+        cx: &mut &CpuCx,
+        quantity: Quantity,
+        inputs: &Inputs<'_, Cpu>,
+        out: &mut Estimate,
+    ) -> Result<(), EstimatorError> {
+        let found = state.irradiance.as_ref();
+        let irradiance = found.ok_or(EstimatorError::Unprepared)?;
+        let glossy = Glossy {
+            params,
+            irradiance,
+            pyramid: state.pyramid.as_ref(),
+        };
+        match quantity {
+            Quantity::GlossyRadiance => cx.for_each_tile(inputs.points, out, &glossy),
+            _ => cx.for_each_tile(inputs.points, out, irradiance),
+        }
+        Ok(())
+    }
+}
+
+impl TileKernel for Harmonics {
+    #[inline(always)]
+    fn shade(&self, points: &PointLanes<'_>) -> [Wide; 3] {
+        self.irradiance(points.vector(PointLayout::NORMAL))
+    }
+}
+
+/// L_o = (1 − F)·k_d/π·E(n) + F·k_s·L(r), the latter 0 where no point has a lobe.
+struct Glossy<'a> {
+    params: &'a ShMipEnvmapParams,
+    irradiance: &'a Harmonics,
+    pyramid: Option<&'a Pyramid>,
+}
+
+impl Glossy<'_> {
+    #[inline(always)]
+    fn level(&self, footprint: f32) -> f32 {
+        let top = self.params.top_level() as f32;
+        match self.params.lod_mode {
+            LodMode::Absolute => self.params.lod.clamp(0.0, top),
+            LodMode::Bias => {
+                let base = self.params.base_size() as f32;
+                biased_level(footprint, base, self.params.lod, top)
+            }
+        }
+    }
+}
+
+impl TileKernel for Glossy<'_> {
+    #[inline(always)]
+    fn shade(&self, points: &PointLanes<'_>) -> [Wide; 3] {
+        let n = points.vector(PointLayout::NORMAL);
+        let v = points.vector(PointLayout::VIEW);
+        let fresnel = schlick(Wide([self.params.f_lambda; WIDTH]), n.dot(v));
+        let irradiance = self.irradiance.irradiance(n);
+        let reflected = mirrored(n, v);
+        let footprint = points.plane(PointLayout::FOOTPRINT);
+        let radiance = lanes(|lane| {
+            let level = self.level(footprint.0[lane]);
+            let along = |p: &Pyramid| p.radiance(at(reflected, lane), level);
+            self.pyramid.map_or(Vec3::ZERO, along)
+        });
+        std::array::from_fn(|c| {
+            let diffuse = points.plane(PointLayout::DIFFUSE + c);
+            let specular = points.plane(PointLayout::SPECULAR + c);
+            fresnel_mix(fresnel, diffuse, irradiance[c], specular, radiance[c])
+        })
+    }
+}
