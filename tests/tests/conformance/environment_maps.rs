@@ -61,7 +61,7 @@ impl Feed for CpuStage<'_> {
     }
 }
 
-impl Feed for GpuStage {
+impl Feed for GpuStage<'_> {
     fn feed(&self, image: &CubeImage) -> Result<Captures<Self::Backend>, Failed> {
         let mut captures = Captures::default();
         let cube = GpuCube::upload(&self.context, image)?;
