@@ -45,10 +45,11 @@ impl Choice for Corners {
 /// What becomes of a quadrilateral that faces away from the point.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Facing {
-    /// It counts negative: form factors keep their sum, irradiance may fall too low.
+    /// It counts negative: form factors keep their sum, and a quadrilateral across a gap in depth
+    /// takes back what it covers up.
+    #[default]
     Signed,
     /// It counts nothing.
-    #[default]
     Clamped,
 }
 
@@ -91,7 +92,7 @@ impl Default for PolygonFormFactorParams {
             fidelity: Fidelity::Published,
             radiance: Radiance::Centre,
             corners: Corners::Fidelity,
-            facing: Facing::Clamped,
+            facing: Facing::Signed,
         }
     }
 }

@@ -190,7 +190,7 @@ fn switches_of_polygons_change_what_they_should<S: Stage>(stage: &S, subject: &S
         "published has other defaults than the paper"
     );
     ensure!(
-        published == with(&[("facing", "signed")])?,
+        published == with(&[("facing", "clamped")])?,
         "facing changes what published gives"
     );
     ensure!(
@@ -206,7 +206,7 @@ fn switches_of_polygons_change_what_they_should<S: Stage>(stage: &S, subject: &S
         ];
         if fidelity == "corrected" {
             switches.push(("corners", "per_face"));
-            switches.push(("facing", "signed"));
+            switches.push(("facing", "clamped"));
         }
         for switch in switches {
             ensure!(
