@@ -37,12 +37,14 @@ fn convolve_phong(@builtin(global_invocation_id) id: vec3u) {
     let r = directions[id.x].xyz;
     var cos_max = 0.0;
     for (var k = 0u; k < convolve.sources; k++) {
-        cos_max = max(cos_max, dot(r, vectors[k].xyz) / length(vectors[k].xyz));
+        let vector = vectors[k].xyz;
+        cos_max = max(cos_max, dot(r, vector) / length(vector));
     }
     var sum = vec4f(0.0);
     for (var k = 0u; k < convolve.sources; k++) {
-        let omega_sr = length(vectors[k].xyz);
-        let cos_theta = dot(r, vectors[k].xyz) / omega_sr;
+        let vector = vectors[k].xyz;
+        let omega_sr = length(vector);
+        let cos_theta = dot(r, vector) / omega_sr;
         let weight = omega_sr * phong_weight(cos_theta, cos_max, convolve.exponent);
         sum += vec4f(radiances[k].rgb, 1.0) * weight;
     }
