@@ -240,5 +240,12 @@ impl<const SIGNED: bool> TileKernel for Corrected<'_, SIGNED> {
 
 #[inline(always)]
 fn any_positive(values: Wide) -> bool {
-    values.0.iter().fold(0.0_f32, |a, b| Lane::max(a, *b)) > 0.0
+    // Halves against halves: a chain of sixteen would wait for each link.
+    let mut v = values.0;
+    for half in [WIDTH / 2, WIDTH / 4, WIDTH / 8, WIDTH / 16] {
+        for i in 0..half {
+            v[i] = Lane::max(v[i], v[i + half]);
+        }
+    }
+    v[0] > 0.0
 }
