@@ -2,10 +2,13 @@
 
 use interreflect_scene::params::{Field, Params};
 
+/// Most texels along a face's edge that shading sums over.
+pub(crate) const MAX_RESOLUTION: u32 = 64;
+
 /// `resolution`: texels along a face's edge that shading sums over.
 pub(crate) fn resolution<P: Params>(get: fn(&P) -> u32, set: fn(&mut P, u32)) -> Field<P> {
     let doc = "texels along a face's edge that shading sums over";
-    Field::u32("resolution", doc, 1..=64, get, set)
+    Field::u32("resolution", doc, 1..=MAX_RESOLUTION, get, set)
         .symbol("M")
         .unit("texels")
         .log()

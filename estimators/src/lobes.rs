@@ -9,8 +9,8 @@ use glam::Vec3;
 pub(crate) const MAX_LOBES: usize = 8;
 
 /// What `of` makes of the Blinn–Phong exponents of points with a specular lobe, each once, ascending;
-/// none for quantities without one. `kept` are those of the session's last `prepare`: they hold until
-/// the points change.
+/// none for quantities without one. `kept` are those of the session's last `prepare`: a list
+/// that is not empty holds until the points change.
 ///
 /// # Errors
 /// [`Unsupported`] for more than [`MAX_LOBES`].
@@ -23,6 +23,7 @@ pub(crate) fn lobes<B: Backend>(
     if quantity != Quantity::GlossyRadiance {
         return Ok(Vec::new());
     }
+    // An empty list may be that of another quantity.
     let holds = |kept: &Vec<f32>| !(kept.is_empty() || inputs.changed.any(Changed::POINTS));
     if let Some(kept) = kept.filter(holds) {
         return Ok(kept);

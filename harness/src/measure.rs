@@ -43,14 +43,19 @@ pub fn measure<S: Stage>(
     let mut compiled = Compiled::default();
 
     let solve_ms = stage.solve(&needs)?;
-    let (captures, capture_ms) = compiled.repeat(stage, repeat, || stage.capture(&needs))?;
+    // Captures that are kept were made before this frame: neither they nor their pipelines cost it.
+    let kept = scene.keeps_captures(needs.keep_within_m);
+    let (captures, capture_ms) = if kept || needs.cubes.is_empty() {
+        (stage.capture(&needs)?.0, None)
+    } else {
+        compiled.repeat(stage, repeat, || stage.capture(&needs))?
+    };
     let inputs = |changed| {
         let origin = (facts, scene.capture_origin(needs.keep_within_m));
         Inputs::new(&needs, &captures, &placed, points, origin, changed)
     };
     // Later frames see new captures, or new points where captures are kept: that is what prepare
     // costs again and again.
-    let kept = scene.keeps_captures(needs.keep_within_m);
     let later = if kept {
         Changed::POINTS
     } else {
@@ -85,7 +90,7 @@ pub fn measure<S: Stage>(
         estimate,
         phases: Phases {
             solve: solve_ms.and_then(|ms| Timing::of(&[ms])),
-            capture: capture_ms.filter(|_| !(needs.cubes.is_empty() || kept)),
+            capture: capture_ms,
             compile: compiled.ms.and_then(|ms| Timing::of(&[ms])),
             prepare: prepare_ms,
             shade: shade_ms,

@@ -77,6 +77,19 @@ pub fn texel_index(size: u32, face: usize, column: u32, row: u32) -> usize {
     (face * size as usize + row as usize) * size as usize + column as usize
 }
 
+/// The texel (face, column, row) at column and row ∈ [−1, size] of a face of `size`² texels: of this
+/// face, or the one across an edge. Not for corners of the border, where three texels meet.
+pub fn neighbour_texel(size: u32, face: usize, column: i32, row: i32) -> (usize, u32, u32) {
+    // A little beyond the edge the direction belongs to the other face.
+    const BEYOND: f64 = 1.0 + 1e-6;
+    let inside = |i: i32| (2.0 * f64::from(i) + 1.0) / f64::from(size) - 1.0;
+    let place = |i: i32| inside(i).clamp(-BEYOND, BEYOND);
+    let (face, s, t) = cube_coordinates(cube_vector(face, place(column), place(row)));
+    let texel =
+        |v: f64| ((v * 0.5 + 0.5) * f64::from(size)).clamp(0.0, f64::from(size) - 0.5) as u32;
+    (face, texel(s), texel(t))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

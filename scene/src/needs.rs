@@ -65,6 +65,4 @@ pub struct SceneFacts {
     pub emitters: bool,
     /// Some captured surface is a mirror.
     pub mirrors: bool,
-    /// Some shaded surface has a specular lobe.
-    pub speculars: bool,
 }

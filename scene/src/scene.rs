@@ -67,17 +67,6 @@ impl Scene {
         self.objects.iter().filter(move |o| o.role == role)
     }
 
-    /// Materials of the surfaces that indirect light is estimated for: the receivers', or all if
-    /// there is none.
-    fn shaded(&self) -> impl Iterator<Item = &Material> {
-        let receivers = self.objects_of(Role::Receiver).next().is_some();
-        let shaded = self.objects.iter();
-        shaded
-            .filter(move |o| !receivers || o.role == Role::Receiver)
-            .flat_map(|o| &o.mesh.materials)
-            .map(|&m| &self.materials[m as usize])
-    }
-
     /// What a method may know of the scene when it says what it needs.
     pub fn facts(&self) -> SceneFacts {
         let used = || {
@@ -93,7 +82,6 @@ impl Scene {
             lights: self.lights.len() as u32,
             emitters: used().any(|m| m.emission != Vec3::ZERO),
             mirrors: used().any(|m| m.mirror),
-            speculars: self.shaded().any(|m| !m.mirror && m.specular != Vec3::ZERO),
         }
     }
 }

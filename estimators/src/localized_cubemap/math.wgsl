@@ -9,7 +9,7 @@ fn omega_published(omega: f32, r2: f32) -> f32 {
 // P1, corrected: the disc's solid angle from x.
 fn omega_corrected(area: f32, r2: f32, cos_surface: f32) -> f32 {
     let seen = area * max(cos_surface, 0.0);
-    return seen / (r2 + seen * INV_PI);
+    return seen / max(r2 + seen * INV_PI, 1.17549435e-38);
 }
 
 // P1 §2: k_d and k_s factor of the published reflectivity.

@@ -39,7 +39,7 @@ struct Shade {
 impl Estimator<Gpu> for PhongEnvmap {
     type State = State;
 
-    const SHADERS: &'static [Shader] = &[SHADE];
+    const SHADERS: &'static [Shader] = &[convolution::SHADERS[0], convolution::SHADERS[1], SHADE];
 
     fn prepare(
         params: &PhongEnvmapParams,

@@ -6,9 +6,7 @@ use crate::texels::Texel;
 use crate::texels::average::{Place, surface_along};
 use glam::{DVec3, Vec3};
 use interreflect_scene::CubeImage;
-use interreflect_scene::conventions::{
-    CUBE_FACES, cube_coordinates, cube_vector, texel_centre, texel_index,
-};
+use interreflect_scene::conventions::{CUBE_FACES, cube_vector, neighbour_texel, texel_index};
 
 /// Ends of the edge whose angle the published form factor takes for all four, for each face: numbers
 /// of corners in the order (s₀,t₀), (s₀,t₁), (s₁,t₁), (s₁,t₀).
@@ -179,34 +177,22 @@ fn meeting_on_all_faces(size: u32, face: usize, i: u32, j: u32) -> Vec<u32> {
     let mut found = Vec::with_capacity(4);
     // Column and row of a texel that may lie just beyond the face's edge.
     for (column, row) in [(-1, -1), (0, -1), (-1, 0), (0, 0)] {
-        let (column, row) = (i64::from(i) + column, i64::from(j) + row);
-        let beyond = |k: i64| k < 0 || k >= i64::from(size);
+        let (column, row) = (i as i32 + column, j as i32 + row);
+        let beyond = |k: i32| k < 0 || k >= size as i32;
         if beyond(column) && beyond(row) {
             continue;
         }
-        found.push(neighbour(size, face, column, row));
+        let (face, column, row) = neighbour_texel(size, face, column, row);
+        found.push(texel_index(size, face, column, row) as u32);
     }
     found.sort_unstable();
     found
 }
 
-/// Index of the texel at (column, row), at most one beyond the face's edge: that of the face beside.
-fn neighbour(size: u32, face: usize, column: i64, row: i64) -> u32 {
-    // Just beyond the edge the other coordinate has hardly moved.
-    const BEYOND: f64 = 1.0 + 1e-6;
-    let coordinate = |k: i64| match k {
-        k if k < 0 => -BEYOND,
-        k if k >= i64::from(size) => BEYOND,
-        k => texel_centre(size, k as u32),
-    };
-    let (face, s, t) = cube_coordinates(cube_vector(face, coordinate(column), coordinate(row)));
-    let index = |v: f64| (((v * 0.5 + 0.5) * f64::from(size)) as u32).min(size - 1);
-    texel_index(size, face, index(s), index(t)) as u32
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use interreflect_scene::conventions::texel_centre;
 
     /// Texels that meet at a corner are as near to its direction as half a texel's diagonal, there
     /// are three of them at the cube's eight corners and four elsewhere, and faces agree.

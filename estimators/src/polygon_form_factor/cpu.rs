@@ -4,6 +4,7 @@
 use super::corners::{Quads, REUSED_EDGE, Tables};
 use super::math::{clipped_quad, corner_height, edge_angle, edge_cosine, edge_integral};
 use super::{Facing, PolygonFormFactor, PolygonFormFactorParams};
+use crate::fields::MAX_RESOLUTION;
 use crate::kept::Kept;
 use crate::texels::average;
 use crate::{Changed, Cpu, Estimator, EstimatorError, Inputs, Quantity};
@@ -69,7 +70,7 @@ impl Estimator<Cpu> for PolygonFormFactor {
 }
 
 /// Corners along the edge of a face, at most.
-pub(super) const MAX_SIDE: usize = 65;
+pub(super) const MAX_SIDE: usize = MAX_RESOLUTION as usize + 1;
 
 struct Contours<'a> {
     quads: &'a Quads,

@@ -6,7 +6,7 @@
 use super::params::Window;
 use glam::Vec3;
 use interreflect_cpu::lane::{Lane, Vector};
-use interreflect_scene::conventions::{CUBE_FACES, cube_coordinates, cube_vector};
+use interreflect_scene::conventions::{CUBE_FACES, cube_coordinates, neighbour_texel};
 use std::f64::consts::PI;
 
 /// Number of spherical harmonics: bands 0, 1 and 2.
@@ -53,17 +53,10 @@ pub fn level_offset(base: u32, size: u32) -> u32 {
     CUBE_FACES as u32 * (4 * (base * base - size * size) / 3 + 8 * (base - size) + 4 * levels)
 }
 
-/// The texel at column and row ∈ [−1, size] of a face of `size`² texels: of this face, or the one
-/// across an edge. Not for corners of the border, where three texels meet.
+/// [`neighbour_texel`]: the texel at column and row ∈ [−1, size] of a face, which may lie across an
+/// edge.
 pub fn neighbour(size: u32, face: usize, column: i32, row: i32) -> (usize, u32, u32) {
-    // A little beyond the edge the direction belongs to the other face.
-    const BEYOND: f64 = 1.0 + 1e-6;
-    let inside = |i: i32| (2.0 * f64::from(i) + 1.0) / f64::from(size) - 1.0;
-    let place = |i: i32| inside(i).clamp(-BEYOND, BEYOND);
-    let (face, s, t) = cube_coordinates(cube_vector(face, place(column), place(row)));
-    let texel =
-        |v: f64| ((v * 0.5 + 0.5) * f64::from(size)).clamp(0.0, f64::from(size) - 0.5) as u32;
-    (face, texel(s), texel(t))
+    neighbour_texel(size, face, column, row)
 }
 
 /// Where a direction, which need not be unit, meets a level of `size`² texels a face: the stored

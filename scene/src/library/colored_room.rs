@@ -169,7 +169,25 @@ impl Recipe for ColoredRoom {
             Place::Floor => Vec3::new(0.0, s.gap - lo.y - room::HALF, 0.0),
         };
         let position = home + Vec3::X * s.moved;
-        for offset in row(s, home) {
+        let offsets = row(s);
+        let reach =
+            position.x.abs() + offsets.iter().fold(0.0, |m, x| f32::max(m, *x)) + 0.5 * s.size;
+        if reach > room::HALF && (s.receivers > 1 || s.moved > 0.0) {
+            return Err(SceneError::Inconsistent {
+                scene: Self::NAME.into(),
+                what: format!(
+                    "{} receivers of {} m, moved {} m, reach {reach} m from the middle of a room of {} m",
+                    s.receivers,
+                    s.size,
+                    s.moved,
+                    2.0 * room::HALF
+                ),
+                remedy:
+                    "make scene.receiver.size smaller, move them less, or place them in the middle"
+                        .into(),
+            });
+        }
+        for offset in offsets {
             let model = model.clone().moved(position + Vec3::X * offset);
             parts.add(receiver::name_of(name), Role::Receiver, model);
         }
@@ -187,11 +205,10 @@ impl Recipe for ColoredRoom {
     }
 }
 
-/// Places of the receivers along x, from the middle of the row: a quarter of their size apart, less
-/// where the room ends.
-fn row(s: &Settings, home: Vec3) -> impl Iterator<Item = f32> {
+/// Places of the receivers along x, from the middle of the row: a quarter of their size apart.
+fn row(s: &Settings) -> Vec<f32> {
     let last = s.receivers - 1;
-    let room = (2.0 * (room::HALF - home.x.abs()) - s.size) / last.max(1) as f32;
-    let step = room.clamp(0.0, 1.25 * s.size);
-    (0..=last).map(move |i| step * (i as f32 - 0.5 * last as f32))
+    let step = 1.25 * s.size;
+    let place = |i| step * (i as f32 - 0.5 * last as f32);
+    (0..=last).map(place).collect()
 }

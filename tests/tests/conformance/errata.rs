@@ -170,7 +170,7 @@ fn at_origin(m: u32, normal: Vec3, omega: impl Fn(u32, u32, f64) -> f64) -> f64 
 
 /// At the middle of a room of radiance 1 the irradiance is π, and the sum over texels misses it by
 /// how badly one sample stands for the cosine over a texel: averages from a table miss it by less at
-/// M = 1 and 2. As M grows the two agree.
+/// M = 1 and 2: what is left is the difference between a texel and a cap. As M grows the two agree.
 fn tables_average_the_reflectivity<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
     let points = subject.points(Quantity::Irradiance.layout());
     let errors = |m: &str, reflectivity: &str| -> Result<Vec<f64>, Failed> {

@@ -3,7 +3,8 @@
 use crate::ensure;
 use crate::subjects::{SUBJECTS, Subject};
 use crate::world::{
-    Outcome, Variant, bounced, captures, cpu_stage, estimate, gpu_stage, ignored, on_gpu, variants,
+    Outcome, Variant, bounced, captures, cpu_stage, estimate, gpu_stage, ignored, on_gpu, switched,
+    variants,
 };
 use interreflect_conformance::tolerance::Tolerance;
 use interreflect_estimators::{Captures, Cpu, Gpu};
@@ -37,6 +38,15 @@ pub(crate) fn trials() -> Vec<Trial> {
                     parity(context, subject, &variant)
                 }));
             }
+        }
+    }
+    for (variant, setting) in switched(128) {
+        let subject = &SUBJECTS[0];
+        if variant.gpu().is_ok() {
+            let name = format!("parity/{}/{}/{setting}", subject.name, variant.name());
+            trials.push(on_gpu(name, move |context| {
+                parity(context, subject, &variant)
+            }));
         }
     }
     trials

@@ -127,7 +127,8 @@ pub(crate) fn trials() -> Vec<Trial> {
     trials
 }
 
-/// Mean relative error over each group that corrected polygons with exact corners keep at M = 8.
+/// Mean relative error over each group that corrected polygons with exact corners keep at M = 8: 1.5 %
+/// in float64 near walls, where quadrilaterals cut the room's edges off, and what float32 adds.
 const PROMISE: f64 = 0.016;
 
 fn promise<S: Stage>(stage: &S, subject: &Subject) -> Outcome {

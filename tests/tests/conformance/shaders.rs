@@ -4,12 +4,19 @@ use crate::ensure;
 use interreflect_estimators::Registry;
 use interreflect_gpu::{Shader, validate};
 use libtest_mimic::Trial;
+use std::collections::BTreeMap;
 
 pub(crate) fn trials() -> Vec<Trial> {
     let own = interreflect_gpu::shaders();
     let registry = Registry::builtin();
     let of_methods = registry.entries().iter().flat_map(|e| e.shaders());
-    own.iter().chain(of_methods).map(|s| valid(*s)).collect()
+    // Methods share some: each is one trial.
+    let each: BTreeMap<_, _> = own
+        .iter()
+        .chain(of_methods)
+        .map(|s| (s.label, *s))
+        .collect();
+    each.into_values().map(valid).collect()
 }
 
 fn valid(shader: Shader) -> Trial {

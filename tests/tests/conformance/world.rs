@@ -5,6 +5,7 @@ use interreflect::stage::{CpuStage, GpuStage, Placed, Stage};
 use interreflect_cpu::tiles::CpuCx;
 use interreflect_estimators::{Captures, Changed, Configured, Inputs, Quantity, Registry};
 use interreflect_gpu::{GpuContext, GpuError, GpuScene};
+use interreflect_scene::params::{Domain, FIDELITY};
 use interreflect_scene::{Estimate, Points, SceneFacts};
 use libtest_mimic::{Failed, Trial};
 use std::sync::{Arc, LazyLock};
@@ -88,6 +89,28 @@ pub(crate) fn variants(captured: u32) -> Vec<Variant> {
         }
     }
     variants
+}
+
+/// Every variant with one of its switches (parameters that are one of a few names, or true or false)
+/// away from its default, and that setting's name.
+pub(crate) fn switched(captured: u32) -> Vec<(Variant, String)> {
+    let mut all = Vec::new();
+    for variant in variants(captured) {
+        for (field, default) in variant.method.values() {
+            let names: Vec<&str> = match &field.domain {
+                Domain::OneOf(names) if field.name != FIDELITY => names.clone(),
+                Domain::Bool => vec!["true", "false"],
+                _ => continue,
+            };
+            for name in names.into_iter().filter(|n| *n != default.to_string()) {
+                let mut switched = variant.copy();
+                let set = switched.method.set(field.name, name);
+                set.expect("a value of the parameter's own domain");
+                all.push((switched, format!("{}={name}", field.name)));
+            }
+        }
+    }
+    all
 }
 
 /// A method of this id with these parameters set.

@@ -24,7 +24,7 @@ pub(super) const TWINS: &[Twin] = &[
         over_lanes!(|a| vec![localized::omega_corrected(a[0], a[1], a[2])]),
         || grid(&[
             &[1e-4, 0.3, 3.0],
-            &[1e-12, 1e-3, 1.0, 1e4],
+            &[0.0, 1e-12, 1e-3, 1.0, 1e4],
             &[-1.0, 0.0, 1e-6, 0.5, 1.0]
         ]),
         ulps(6, 0.0, "a division, products and a sum of positive numbers")
