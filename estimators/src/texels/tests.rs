@@ -6,7 +6,6 @@ use interreflect_gpu::Shader;
 
 /// A method that says the least of its texels.
 const LIGHT: &str = "
-struct Reflectivity { diffuse: f32, specular: f32 }
 fn texel_omega(extent: f32, r2: f32, cos_surface: f32) -> f32 { return extent; }
 fn texel_cosine(n_i: f32, omega: f32) -> f32 { return n_i; }
 fn texel_lobe(shininess: f32) -> f32 { return shininess; }

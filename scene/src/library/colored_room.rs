@@ -169,10 +169,10 @@ impl Recipe for ColoredRoom {
             Place::Floor => Vec3::new(0.0, s.gap - lo.y - room::HALF, 0.0),
         };
         let position = home + Vec3::X * s.moved;
-        let offsets = row(s);
+        let offsets = row(s, position);
         let reach =
             position.x.abs() + offsets.iter().fold(0.0, |m, x| f32::max(m, *x)) + 0.5 * s.size;
-        if reach > room::HALF && (s.receivers > 1 || s.moved > 0.0) {
+        if reach > 1.0001 * room::HALF && (s.receivers > 1 || s.moved > 0.0) {
             return Err(SceneError::Inconsistent {
                 scene: Self::NAME.into(),
                 what: format!(
@@ -205,10 +205,12 @@ impl Recipe for ColoredRoom {
     }
 }
 
-/// Places of the receivers along x, from the middle of the row: a quarter of their size apart.
-fn row(s: &Settings) -> Vec<f32> {
+/// Places of the receivers along x, from the middle of the row at `position`: a quarter of their size
+/// apart, less where the room ends, but never into each other.
+fn row(s: &Settings, position: Vec3) -> Vec<f32> {
     let last = s.receivers - 1;
-    let step = 1.25 * s.size;
+    let room = (2.0 * (room::HALF - position.x.abs()) - s.size) / last.max(1) as f32;
+    let step = room.min(1.25 * s.size).max(s.size);
     let place = |i| step * (i as f32 - 0.5 * last as f32);
     (0..=last).map(place).collect()
 }

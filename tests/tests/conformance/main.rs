@@ -14,6 +14,7 @@ mod needs;
 mod parity;
 mod path_reference;
 mod room;
+mod room_points;
 mod room_ties;
 mod shaders;
 mod subjects;

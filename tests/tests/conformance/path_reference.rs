@@ -1,7 +1,7 @@
 //! The path tracer against exact answers and against itself.
 
 use crate::ensure;
-use crate::room::ROOM;
+use crate::room_points::ROOM;
 use crate::subjects::{ROOM_RADIANCES, SUBJECTS, Subject, box_with, inside};
 use crate::world::{CPU, Outcome, ignored};
 use interreflect_cpu::path_tracer::{LightPaths, PathQuantity, Stop, Traced, trace};

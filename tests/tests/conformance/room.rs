@@ -1,97 +1,18 @@
 //! The public point set: what each method gives in float64 in the box of ../shared/points.
 
 use crate::ensure;
+use crate::room_points::{ROOM, Room};
 use crate::room_ties::{self, Light, Sum};
-use crate::subjects::{ROOM_ORIGIN, Subject, shared_points};
+use crate::subjects::Subject;
 use crate::world::{
     Outcome, Variant, configured, cpu_stage, gpu_stage, ignored, on_both, on_gpu, run,
 };
-use glam::{DVec3, Vec3};
 use interreflect::stage::Stage;
 use interreflect_conformance::tolerance::Tolerance;
 use interreflect_estimators::Quantity;
-use interreflect_scene::{Point, PointLayout, Points, SceneRequest, open};
-use libtest_mimic::{Failed, Trial};
-use std::collections::BTreeMap;
+use libtest_mimic::Trial;
 use std::f64::consts::PI;
-use std::sync::{Arc, LazyLock};
-
-/// The point set.
-pub(crate) struct Room {
-    pub(crate) points: Points,
-    groups: Vec<String>,
-    columns: BTreeMap<String, Vec<f64>>,
-    readme: String,
-    subject: Subject,
-}
-
-/// The point set, if it is there.
-pub(crate) static ROOM: LazyLock<Option<Room>> = LazyLock::new(|| {
-    let folder = shared_points()?;
-    Some(Room::open(&folder).expect("a readable point set"))
-});
-
-impl Room {
-    fn open(folder: &std::path::Path) -> Result<Self, Failed> {
-        let mut reader = csv::Reader::from_path(folder.join("room.csv"))?;
-        let header = reader.headers()?.clone();
-        let mut columns: BTreeMap<String, Vec<f64>> = BTreeMap::new();
-        let mut groups = Vec::new();
-        for record in reader.records() {
-            for (name, value) in header.iter().zip(&record?) {
-                match name {
-                    "group" => groups.push(value.to_owned()),
-                    _ => columns.entry(name.into()).or_default().push(value.parse()?),
-                }
-            }
-        }
-        let at = |names: [&str; 3], i: usize| Vec3::from(names.map(|n| columns[n][i] as f32));
-        let points = (0..groups.len()).map(|i| {
-            Some(Point {
-                position: at(["x", "y", "z"], i),
-                normal: at(["nx", "ny", "nz"], i).normalize(),
-                ..Point::default()
-            })
-        });
-        let points = Points::new(PointLayout::Surface, points);
-        let scene = open(&SceneRequest {
-            reference_point: Some(ROOM_ORIGIN),
-            ..SceneRequest::new(folder.join("room.obj").to_string_lossy())
-        })?;
-        Ok(Self {
-            points,
-            groups,
-            columns,
-            readme: std::fs::read_to_string(folder.join("README.md"))?,
-            subject: Subject::new("room", &scene, Vec::new()),
-        })
-    }
-
-    /// A column by its name.
-    pub(crate) fn column(&self, name: &str) -> Result<&[f64], Failed> {
-        let found = self.columns.get(name).map(Vec::as_slice);
-        Ok(found.ok_or_else(|| format!("no column {name}"))?)
-    }
-
-    /// Mean of a value over each group.
-    fn means(&self, value: impl Fn(usize) -> f64) -> Vec<(&str, f64)> {
-        let mut groups: Vec<&str> = self.groups.iter().map(String::as_str).collect();
-        groups.dedup();
-        let mean = |group: &str| {
-            let members = || (0..self.groups.len()).filter(|&i| self.groups[i] == group);
-            members().map(&value).sum::<f64>() / members().count() as f64
-        };
-        groups.into_iter().map(|g| (g, mean(g))).collect()
-    }
-
-    /// Positions and normals in float64.
-    pub(crate) fn places(&self) -> Vec<(DVec3, DVec3)> {
-        let at = |names: [&str; 3], i: usize| DVec3::from(names.map(|n| self.columns[n][i]));
-        (0..self.groups.len())
-            .map(|i| (at(["x", "y", "z"], i), at(["nx", "ny", "nz"], i)))
-            .collect()
-    }
-}
+use std::sync::Arc;
 
 pub(crate) fn trials() -> Vec<Trial> {
     let Some(room) = ROOM.as_ref() else {

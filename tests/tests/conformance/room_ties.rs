@@ -1,13 +1,13 @@
-//! Why one column of the public point set is met less closely than the others.
+//! Why some columns of the public point set are met less closely than the others.
 //!
-//! `corrected`, and virtual point lights, take a texel's place and normal along the ray through its centre. In the box with
-//! the reference point (1/5, −1/10, 3/10) some of these rays meet the edge between two walls
-//! exactly: both walls are right, and which one a computation finds is rounding noise. Here the
-//! ties are found in whole numbers, and the reference column for M = 8 is shown to have taken the
-//! +z wall six times and the +x wall twice along one and the same edge.
+//! `corrected`, and virtual point lights, take a texel's place and normal along the ray through its
+//! centre. In the box with the reference point (1/5, −1/10, 3/10) some of these rays meet the edge
+//! between two walls exactly: both walls are right, and which one a computation finds is rounding
+//! noise. Here the ties are found in whole numbers, and the reference columns for M = 8 are shown to
+//! have taken the +z wall six times and the +x wall twice along one and the same edge.
 
 use crate::ensure;
-use crate::room::ROOM;
+use crate::room_points::ROOM;
 use crate::world::{Outcome, ignored};
 use glam::DVec3;
 use interreflect_scene::conventions::{

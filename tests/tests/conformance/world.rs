@@ -78,9 +78,11 @@ pub(crate) fn variants(captured: u32) -> Vec<Variant> {
     let mut variants = Vec::new();
     for entry in Registry::builtin().entries() {
         let mut method = entry.configure();
-        // Not every method has these; those that sample need not sample long here.
+        // Not every method has these; those that sample need not sample long here, those that
+        // convolve need not fill large maps.
         method.set("capture_resolution", &captured.to_string()).ok();
         method.set("samples", "64").ok();
+        method.set("map_resolution", "8").ok();
         for method in method.in_each_fidelity() {
             variants.extend(method.quantities().iter().map(|&quantity| Variant {
                 method: method.boxed_clone(),
