@@ -1,5 +1,9 @@
 //! A scene as the CPU sees it: triangles, ray queries and surface properties.
 
+mod check;
+
+pub use check::CpuError;
+
 use crate::{
     bvh::{Bvh, Hit},
     path_tracer::{CoarseSolution, emitters::Emitters},
@@ -9,42 +13,8 @@ use interreflect_scene::{CubeSpec, Material, Mesh, Object, Role, Scene};
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-/// Largest coordinate that ray queries take; areas of boxes must not overflow f32.
-const LARGEST_COORDINATE: f32 = 1e15;
 /// Rays that leave a surface start this far from it, relative to the largest coordinate.
 const RAY_START: f64 = 1e-8;
-
-/// Why a scene can't be taken over by the CPU backend.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum CpuError {
-    /// A mesh contradicts itself.
-    #[error("object `{object}`: {what}; export the mesh again or remove it")]
-    Mesh {
-        /// Name of the object.
-        object: String,
-        /// What is wrong, with the index and the value.
-        what: String,
-    },
-    /// The meshes are too big for 32-bit indices.
-    #[error(
-        "the scene has {triangles} triangles, at most {} are possible; simplify it",
-        u32::MAX
-    )]
-    TooManyTriangles {
-        /// Triangles in all meshes.
-        triangles: usize,
-    },
-    /// The environment's image contradicts itself.
-    #[error("the environment's {width}×{height} image has {texels} texels; load it again")]
-    Environment {
-        /// Columns.
-        width: u32,
-        /// Rows.
-        height: u32,
-        /// Texels that are there.
-        texels: usize,
-    },
-}
 
 /// A scene with ray queries. The tree over all objects is built when it is first asked for, and
 /// never if there is no receiver.
@@ -99,7 +69,7 @@ impl CpuScene {
     /// [`CpuError`] if indices, lengths or coordinates of a mesh, or the environment's size, are
     /// out of range. A scene that was loaded has been checked for this.
     pub fn new(scene: &Scene) -> Result<Self, CpuError> {
-        check(scene)?;
+        check::check(scene)?;
         Ok(Self {
             scene: scene.clone(),
             environment: Geometry::new(scene, |role| role == Role::Environment),
@@ -267,53 +237,4 @@ fn shading_normal(mesh: &Mesh, triangle: usize, barycentric: [f64; 3]) -> Option
         .map(|(&v, weight)| mesh.normals[v as usize] * weight as f32)
         .sum();
     sum.try_normalize()
-}
-
-fn check(scene: &Scene) -> Result<(), CpuError> {
-    let triangles = scene.objects.iter().map(|o| o.mesh.triangles.len()).sum();
-    if triangles >= u32::MAX as usize {
-        return Err(CpuError::TooManyTriangles { triangles });
-    }
-    for object in &scene.objects {
-        check_mesh(object, scene.materials.len()).map_err(|what| CpuError::Mesh {
-            object: object.name.clone(),
-            what,
-        })?;
-    }
-    if let Some(environment) = &scene.environment {
-        let image = &environment.image;
-        let texels = image.texels.len();
-        if texels == 0 || texels != image.width as usize * image.height as usize {
-            return Err(CpuError::Environment {
-                width: image.width,
-                height: image.height,
-                texels,
-            });
-        }
-    }
-    Ok(())
-}
-
-fn check_mesh(object: &Object, materials: usize) -> Result<(), String> {
-    let mesh = &object.mesh;
-    let vertices = mesh.positions.len();
-    if !mesh.normals.is_empty() && mesh.normals.len() != vertices {
-        let normals = mesh.normals.len();
-        return Err(format!("{normals} normals for {vertices} vertices"));
-    }
-    if mesh.materials.len() != mesh.triangles.len() {
-        let (m, t) = (mesh.materials.len(), mesh.triangles.len());
-        return Err(format!("{m} materials for {t} triangles"));
-    }
-    if let Some(m) = mesh.materials.iter().find(|&&m| m as usize >= materials) {
-        return Err(format!("material {m} of {materials}"));
-    }
-    if let Some(v) = (mesh.triangles.iter().flatten()).find(|&&v| v as usize >= vertices) {
-        return Err(format!("a triangle refers to vertex {v} of {vertices}"));
-    }
-    let inside = |p: &Vec3| p.is_finite() && p.abs().max_element() <= LARGEST_COORDINATE;
-    match mesh.positions.iter().position(|p| !inside(p)) {
-        Some(i) => Err(format!("vertex {i} lies at {}", mesh.positions[i])),
-        None => Ok(()),
-    }
 }

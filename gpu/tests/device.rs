@@ -3,6 +3,8 @@
 
 #[path = "device/capture.rs"]
 mod capture;
+#[path = "device/coarse.rs"]
+mod coarse;
 #[path = "device/compute.rs"]
 mod compute;
 #[path = "device/errors.rs"]
@@ -31,6 +33,7 @@ fn main() {
     let required = std::env::var_os("INTERREFLECT_REQUIRE_GPU").is_some_and(|v| v == "1");
     let cases = [
         capture::CASES,
+        coarse::CASES,
         lighting::CASES,
         compute::CASES,
         times::CASES,

@@ -5,7 +5,7 @@ use crate::metrics::check_finite;
 use crate::record::{Phases, Timing};
 use crate::stage::{Placed, Stage};
 use interreflect_estimators::{Backend, Changed, Configured, Inputs, Quantity};
-use interreflect_scene::{Estimate, Points, Scene};
+use interreflect_scene::{CubeSpec, Estimate, Needs, Points, Scene};
 
 /// An estimate and the time that it took.
 pub struct Measured {
@@ -14,7 +14,7 @@ pub struct Measured {
     /// Where the time went.
     pub phases: Phases,
     /// Captures that were declared and never read: empty for an honest method.
-    pub unread: interreflect_scene::Needs,
+    pub unread: Needs,
 }
 
 /// Time after which a phase is not repeated further.
@@ -79,13 +79,7 @@ pub fn measure<S: Stage>(
     let (estimate, readback_ms) = read_back(stage, &out, repeat)?;
     check_finite(method.info().id, &estimate, Some(points))?;
 
-    let mut read = first.read();
-    read.cubes.extend(again.read().cubes);
-    let unread = interreflect_scene::Needs {
-        cubes: needs.cubes.difference(&read.cubes).copied().collect(),
-        light_transport: needs.light_transport && !read.light_transport,
-        ..interreflect_scene::Needs::default()
-    };
+    let unread = unread(&needs, [first.read(), again.read()]);
     Ok(Measured {
         estimate,
         phases: Phases {
@@ -98,6 +92,17 @@ pub fn measure<S: Stage>(
         },
         unread,
     })
+}
+
+/// What was declared and never read.
+fn unread(needs: &Needs, read: [Needs; 2]) -> Needs {
+    let was_read = |spec: &CubeSpec| read.iter().any(|r| r.cubes.contains(spec));
+    let unread = needs.cubes.iter().filter(|spec| !was_read(spec));
+    Needs {
+        cubes: unread.copied().collect(),
+        light_transport: needs.light_transport && !read[0].light_transport,
+        ..Needs::default()
+    }
 }
 
 fn read_back<S: Stage>(

@@ -78,21 +78,6 @@ impl Params for Settings {
             )
             .unit("m"),
             Field::f32(
-                "receiver.moved",
-                "how far the receivers have moved along +x since captures were made",
-                0.0..=1.0,
-                |s: &Self| s.moved,
-                |s, v| s.moved = v,
-            )
-            .unit("m"),
-            Field::u32(
-                "receivers",
-                "equal receivers in a row along x around that place, sharing the captures",
-                1..=3,
-                |s: &Self| s.receivers,
-                |s, v| s.receivers = v,
-            ),
-            Field::f32(
                 "receiver.size",
                 "longest side of the receiver",
                 0.01..=1.0,
@@ -123,6 +108,7 @@ impl Params for Settings {
                 |s, v| s.block = v,
             ),
         ];
+        fields.extend(sharing_fields());
         fields.extend(receiver::look_fields());
         fields
     }
@@ -213,4 +199,25 @@ fn row(s: &Settings, position: Vec3) -> Vec<f32> {
     let step = room.min(1.25 * s.size).max(s.size);
     let place = |i| step * (i as f32 - 0.5 * last as f32);
     (0..=last).map(place).collect()
+}
+
+/// The settings of receivers that move, or share the captures.
+fn sharing_fields() -> [Field<Settings>; 2] {
+    [
+        Field::f32(
+            "receiver.moved",
+            "how far the receivers have moved along +x since captures were made",
+            0.0..=1.0,
+            |s: &Settings| s.moved,
+            |s, v| s.moved = v,
+        )
+        .unit("m"),
+        Field::u32(
+            "receivers",
+            "equal receivers in a row along x around that place, sharing the captures",
+            1..=3,
+            |s: &Settings| s.receivers,
+            |s, v| s.receivers = v,
+        ),
+    ]
 }
