@@ -9,7 +9,7 @@ use crate::texels::gather::{Cosines, TexelLight, gather};
 use crate::texels::math::{lobe_normalisation, normalised_reflectivity};
 use crate::texels::{Texel, average};
 use crate::{Changed, Cpu, Estimator, EstimatorError, Inputs, Quantity};
-use interreflect_cpu::lane::{Lane, WIDTH, Wide};
+use interreflect_cpu::lane::{Lane, Vector, WIDTH, Wide};
 use interreflect_cpu::tiles::CpuCx;
 use interreflect_scene::Estimate;
 use interreflect_scene::params::Fidelity;
@@ -91,8 +91,8 @@ impl TexelLight for Published {
     type Lobe = Wide;
 
     #[inline(always)]
-    fn omega(&self, extent: Wide, r2: Wide, _cos_surface: Wide) -> Wide {
-        omega_published(extent, r2)
+    fn omega(&self, texel: &Texel, _i: Vector<Wide>, r2: Wide) -> Wide {
+        omega_published(texel.extents(), r2)
     }
     #[inline(always)]
     fn cosine(&self, n_i: Wide, _omega: Wide) -> Wide {
@@ -115,8 +115,8 @@ impl TexelLight for Corrected {
     type Lobe = (Wide, Wide);
 
     #[inline(always)]
-    fn omega(&self, extent: Wide, r2: Wide, cos_surface: Wide) -> Wide {
-        omega_corrected(extent, r2, cos_surface)
+    fn omega(&self, texel: &Texel, i: Vector<Wide>, r2: Wide) -> Wide {
+        omega_corrected(texel.extents(), r2, texel.cos_surface(i))
     }
     #[inline(always)]
     fn cosine(&self, n_i: Wide, _omega: Wide) -> Wide {
@@ -140,10 +140,10 @@ impl<const CORRECTED: bool> TexelLight for Averaged<'_, CORRECTED> {
     type Lobe = ([usize; WIDTH], Wide);
 
     #[inline(always)]
-    fn omega(&self, extent: Wide, r2: Wide, cos_surface: Wide) -> Wide {
+    fn omega(&self, texel: &Texel, i: Vector<Wide>, r2: Wide) -> Wide {
         match CORRECTED {
-            true => omega_corrected(extent, r2, cos_surface),
-            false => omega_published(extent, r2),
+            true => omega_corrected(texel.extents(), r2, texel.cos_surface(i)),
+            false => omega_published(texel.extents(), r2),
         }
     }
     #[inline(always)]

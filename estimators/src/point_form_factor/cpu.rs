@@ -7,7 +7,7 @@ use crate::texels::gather::{Cosines, TexelLight, gather};
 use crate::texels::math::{lobe_normalisation, normalised_reflectivity};
 use crate::texels::{Texel, average};
 use crate::{Changed, Cpu, Estimator, EstimatorError, Inputs, Quantity};
-use interreflect_cpu::lane::{Lane, WIDTH, Wide};
+use interreflect_cpu::lane::{Lane, Vector, WIDTH, Wide};
 use interreflect_cpu::tiles::CpuCx;
 use interreflect_scene::Estimate;
 
@@ -66,8 +66,9 @@ impl TexelLight for PointLight {
     type Lobe = (Wide, Wide);
 
     #[inline(always)]
-    fn omega(&self, extent: Wide, r2: Wide, cos_surface: Wide) -> Wide {
-        point_omega(extent, r2, cos_surface, Wide([self.largest; WIDTH]))
+    fn omega(&self, texel: &Texel, i: Vector<Wide>, r2: Wide) -> Wide {
+        let largest = Wide([self.largest; WIDTH]);
+        point_omega(texel.extents(), r2, texel.cos_surface(i), largest)
     }
     #[inline(always)]
     fn cosine(&self, n_i: Wide, _omega: Wide) -> Wide {

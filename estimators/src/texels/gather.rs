@@ -12,8 +12,8 @@ pub(crate) trait TexelLight: Sync {
     /// What the reflectivity needs of the lobes of sixteen points.
     type Lobe;
 
-    /// Solid angle in sr of a texel of this extent from the points; `r2` = (r/d)².
-    fn omega(&self, extent: Wide, r2: Wide, cos_surface: Wide) -> Wide;
+    /// Solid angle in sr of a texel from the points; `i` is the direction to it, `r2` = (r/d)².
+    fn omega(&self, texel: &Texel, i: Vector<Wide>, r2: Wide) -> Wide;
 
     /// Cosine at the points, in the mean over the texel.
     fn cosine(&self, n_i: Wide, omega: Wide) -> Wide;
@@ -23,6 +23,20 @@ pub(crate) trait TexelLight: Sync {
 
     /// Diffuse and specular factor of the reflectivity, the cosine included.
     fn reflectivity(&self, lobe: &Self::Lobe, cosines: Cosines, omega: Wide) -> (Wide, Wide);
+}
+
+impl Texel {
+    /// What the method says of its size, in each lane.
+    #[inline(always)]
+    pub(crate) fn extents(&self) -> Wide {
+        Wide([self.extent; WIDTH])
+    }
+
+    /// Cosine between its surface's normal and the direction back along `i`.
+    #[inline(always)]
+    pub(crate) fn cos_surface(&self, i: Vector<Wide>) -> Wide {
+        -i.dot(Vector::splat(self.normal))
+    }
 }
 
 /// Cosines at the point between its normal and the direction to a texel, to the viewer and the half
@@ -72,8 +86,7 @@ impl<M: TexelLight> Sum<'_, M> {
         let splat = |v: f32| Wide([v; WIDTH]);
         let direction = Vector::splat(texel.direction);
         let (i, r2) = towards_texel(direction, splat(texel.inverse_distance), x);
-        let cos_surface = -i.dot(Vector::splat(texel.normal));
-        (i, self.method.omega(splat(texel.extent), r2, cos_surface))
+        (i, self.method.omega(texel, i, r2))
     }
 }
 
