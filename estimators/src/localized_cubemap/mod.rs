@@ -9,11 +9,12 @@ pub mod math;
 mod params;
 mod tables;
 
+use crate::texels;
 use crate::texels::average::{Averaging, Tables};
 use crate::{Info, Method, OwnModel, Quantity, Unsupported};
 use interreflect_scene::conventions::{cube_vector, texel_centre, texel_solid_angle_sr};
 use interreflect_scene::params::Fidelity;
-use interreflect_scene::{CubeChannels, CubeSpec, Needs, SceneFacts};
+use interreflect_scene::{CubeSpec, Needs, SceneFacts};
 
 pub use params::{LocalizedCubemapParams, Reflectivity, SolidAngle};
 
@@ -51,12 +52,6 @@ impl Method for LocalizedCubemap {
 }
 
 impl LocalizedCubemapParams {
-    /// Texels along the captured cube's edge: `capture_resolution`, rounded up to a multiple of
-    /// `resolution` so that each texel averages the same whole number of captured ones.
-    pub fn capture_size(&self) -> u32 {
-        self.capture_resolution.next_multiple_of(self.resolution)
-    }
-
     /// How the capture is averaged, and what each texel's size is: Δω' in sr in `published`, the
     /// disc's area times its cosine over d² in `corrected`.
     fn averaging(&self) -> Tables {
@@ -67,7 +62,7 @@ impl LocalizedCubemapParams {
                 math::disc_area(texel_solid_angle_sr(m, column, row))
             }),
         };
-        Tables::new(m, self.capture_size(), averaging, extent)
+        Tables::new(m, self.capture_resolution, averaging, extent)
     }
 
     /// Published solid angle Δω' in sr of a texel seen from the reference point.
@@ -83,14 +78,12 @@ impl LocalizedCubemapParams {
     /// The capture that is averaged down. Both fidelities place a texel by its distance,
     /// `corrected` by its surface's normal too; nothing has a place without surfaces.
     fn captured(&self, scene: &SceneFacts) -> CubeSpec {
-        CubeSpec {
-            size: self.capture_size(),
-            channels: CubeChannels {
-                radiance: true,
-                distance: scene.surfaces,
-                normal: scene.surfaces && self.fidelity == Fidelity::Corrected,
-            },
-            bounces: self.bounces,
-        }
+        texels::capture(
+            self.resolution,
+            self.capture_resolution,
+            self.bounces,
+            self.fidelity == Fidelity::Corrected,
+            scene,
+        )
     }
 }

@@ -7,10 +7,11 @@ mod gpu;
 pub mod math;
 mod params;
 
+use crate::texels;
 use crate::texels::average::{Averaging, Tables};
 use crate::{Info, Method, OwnModel, Quantity, Unsupported};
 use interreflect_scene::conventions::texel_solid_angle_sr;
-use interreflect_scene::{CubeChannels, CubeSpec, Needs, SceneFacts};
+use interreflect_scene::{CubeSpec, Needs, SceneFacts};
 
 pub use params::PointFormFactorParams;
 
@@ -48,23 +49,15 @@ impl Method for PointFormFactor {
 }
 
 impl PointFormFactorParams {
-    /// Texels along the captured cube's edge: `capture_resolution`, rounded up to a multiple of
-    /// `resolution`.
-    fn capture_size(&self) -> u32 {
-        self.capture_resolution.next_multiple_of(self.resolution)
-    }
-
     /// The capture that is averaged down; nothing has a place without surfaces.
     fn captured(&self, scene: &SceneFacts) -> CubeSpec {
-        CubeSpec {
-            size: self.capture_size(),
-            channels: CubeChannels {
-                radiance: true,
-                distance: scene.surfaces,
-                normal: scene.surfaces,
-            },
-            bounces: self.bounces,
-        }
+        texels::capture(
+            self.resolution,
+            self.capture_resolution,
+            self.bounces,
+            true,
+            scene,
+        )
     }
 
     /// A texel's size is its solid angle in sr from the reference point: with the cosine at its
@@ -72,7 +65,7 @@ impl PointFormFactorParams {
     fn averaging(&self) -> Tables {
         let m = self.resolution;
         let omega_sr = |column, row| texel_solid_angle_sr(m, column, row);
-        Tables::new(m, self.capture_size(), Averaging::Exact, omega_sr)
+        Tables::new(m, self.capture_resolution, Averaging::Exact, omega_sr)
     }
 
     /// `clamp`, or the largest number where there is none.

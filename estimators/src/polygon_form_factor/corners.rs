@@ -46,7 +46,12 @@ pub(super) struct Quads {
 
 impl Tables {
     pub(super) fn new(params: &PolygonFormFactorParams) -> Self {
-        let (m, size) = (params.resolution, params.capture_size());
+        let (m, size) = (
+            params.resolution,
+            params
+                .capture_resolution
+                .next_multiple_of(params.resolution),
+        );
         let mode = params.corners();
         let step = size / m;
         let corners = || {

@@ -8,10 +8,11 @@ mod gpu;
 pub mod math;
 mod params;
 
+use crate::texels;
 use crate::texels::average::{Averaging, Tables};
 use crate::{Info, Method, OwnModel, Quantity, Unsupported};
 use interreflect_scene::params::Fidelity;
-use interreflect_scene::{CubeChannels, CubeSpec, Needs, SceneFacts};
+use interreflect_scene::{CubeSpec, Needs, SceneFacts};
 
 pub use params::{Corners, Facing, PolygonFormFactorParams, Radiance};
 
@@ -49,25 +50,17 @@ impl Method for PolygonFormFactor {
 }
 
 impl PolygonFormFactorParams {
-    /// Texels along the captured cube's edge: `capture_resolution`, rounded up to a multiple of
-    /// `resolution`.
-    fn capture_size(&self) -> u32 {
-        self.capture_resolution.next_multiple_of(self.resolution)
-    }
-
     /// The capture that is averaged down. A distance along another ray than the captured ones
     /// follows the surface's plane, so it needs normals; nothing has a place without surfaces.
     fn captured(&self, scene: &SceneFacts) -> CubeSpec {
         let along_rays = self.fidelity == Fidelity::Corrected || self.corners() == Corners::Exact;
-        CubeSpec {
-            size: self.capture_size(),
-            channels: CubeChannels {
-                radiance: true,
-                distance: scene.surfaces,
-                normal: scene.surfaces && along_rays,
-            },
-            bounces: self.bounces,
-        }
+        texels::capture(
+            self.resolution,
+            self.capture_resolution,
+            self.bounces,
+            along_rays,
+            scene,
+        )
     }
 
     /// How the capture is averaged; quadrilaterals have their extent by their corners.
@@ -76,6 +69,11 @@ impl PolygonFormFactorParams {
             Fidelity::Published => Averaging::Plain,
             Fidelity::Corrected => Averaging::Exact,
         };
-        Tables::new(self.resolution, self.capture_size(), averaging, |_, _| 0.0)
+        Tables::new(
+            self.resolution,
+            self.capture_resolution,
+            averaging,
+            |_, _| 0.0,
+        )
     }
 }

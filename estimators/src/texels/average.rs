@@ -34,13 +34,13 @@ pub(crate) struct Tables {
 }
 
 impl Tables {
-    /// Tables for `resolution`² texels a face out of `capture_size`², a multiple of it.
+    /// Tables for `resolution`² texels a face out of a [`super::capture`] of `capture_resolution`².
     ///
     /// `extent` of (column, row) becomes the texel's extent as it is with [`Averaging::Plain`], and
     /// over the cosine between ray and surface normal at the texel with [`Averaging::Exact`].
     pub(crate) fn new(
         resolution: u32,
-        capture_size: u32,
+        capture_resolution: u32,
         averaging: Averaging,
         extent: impl Fn(u32, u32) -> f64,
     ) -> Self {
@@ -50,7 +50,9 @@ impl Tables {
             averaging,
             omegas_sr: match averaging {
                 Averaging::Plain => Vec::new(),
-                Averaging::Exact => face_solid_angles_sr(capture_size),
+                Averaging::Exact => {
+                    face_solid_angles_sr(capture_resolution.next_multiple_of(resolution))
+                }
             },
             extents: texels
                 .map(|(column, row)| extent(column, row) as f32)

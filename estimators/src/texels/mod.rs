@@ -6,6 +6,29 @@ pub(crate) mod gather;
 pub(crate) mod gpu;
 pub mod math;
 
+use interreflect_scene::{CubeChannels, CubeSpec, SceneFacts};
+
+/// The capture that is averaged down to `resolution`² texels a face: of `capture_resolution`² a face,
+/// rounded up so that each texel averages the same whole number. Nothing has a place, and no normal,
+/// without surfaces.
+pub(crate) fn capture(
+    resolution: u32,
+    capture_resolution: u32,
+    bounces: u32,
+    normals: bool,
+    scene: &SceneFacts,
+) -> CubeSpec {
+    CubeSpec {
+        size: capture_resolution.next_multiple_of(resolution),
+        channels: CubeChannels {
+            radiance: true,
+            distance: scene.surfaces,
+            normal: scene.surfaces && normals,
+        },
+        bounces,
+    }
+}
+
 /// One texel, as both backends read it: three vectors of four `f32`s.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
