@@ -81,9 +81,16 @@ impl InstructionSet {
 pub struct PointLanes<'a> {
     block: &'a [f32],
     offset: usize,
+    first: usize,
 }
 
 impl PointLanes<'_> {
+    /// Index in the point list of the first of the sixteen.
+    #[inline(always)]
+    pub fn first(&self) -> usize {
+        self.first
+    }
+
     /// One plane of the block, by the offsets of [`PointLayout`].
     #[inline(always)]
     pub fn plane(&self, plane: usize) -> Wide {
@@ -205,7 +212,11 @@ impl<K: TileKernel> pulp::NullaryFnOnce for Task<'_, K> {
         {
             let block = self.points.block(self.first_block + i);
             for offset in (0..LANES).step_by(WIDTH) {
-                let lanes = PointLanes { block, offset };
+                let lanes = PointLanes {
+                    block,
+                    offset,
+                    first: (self.first_block + i) * LANES + offset,
+                };
                 let mask = lanes.plane(PointLayout::MASK);
                 let zero = Wide::splat(0.0);
                 for (channel, value) in self.kernel.shade(&lanes).into_iter().enumerate() {

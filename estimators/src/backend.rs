@@ -2,9 +2,12 @@
 
 use crate::error::EstimatorError;
 use glam::Vec3;
+use interreflect_cpu::capture::directional_depth::DirectionalDepths;
 use interreflect_cpu::{scene::CpuScene, tiles::CpuCx};
-use interreflect_gpu::{GpuContext, GpuCube, GpuCx, GpuEstimate, GpuPoints};
-use interreflect_scene::{CubeImage, CubeSpec, Estimate, Needs, Points, SceneFacts};
+use interreflect_gpu::{GpuContext, GpuCube, GpuCx, GpuDirectionalDepths, GpuEstimate, GpuPoints};
+use interreflect_scene::{
+    CubeImage, CubeSpec, DirectionalDepthSpec, Environment, Estimate, Needs, Points, SceneFacts,
+};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::ops::BitOr;
@@ -23,6 +26,8 @@ pub trait Backend: sealed::Sealed + Copy + Send + Sync + 'static {
     type Cx<'c>;
     /// A captured cube.
     type Cube;
+    /// Where depth maps along directions come from.
+    type Depths;
     /// The shaded points.
     type Points;
     /// Where the estimate goes.
@@ -43,6 +48,7 @@ impl Backend for Cpu {
     type Caps = ();
     type Cx<'c> = &'c CpuCx;
     type Cube = CubeImage;
+    type Depths = DirectionalDepths;
     type Points = Points;
     type Out = Estimate;
     type Transport = CpuScene;
@@ -52,6 +58,7 @@ impl Backend for Gpu {
     type Caps = GpuContext;
     type Cx<'c> = GpuCx;
     type Cube = GpuCube;
+    type Depths = GpuDirectionalDepths;
     type Points = GpuPoints;
     type Out = GpuEstimate;
     type Transport = std::convert::Infallible;
@@ -61,6 +68,10 @@ impl Backend for Gpu {
 pub struct Captures<B: Backend> {
     /// Cube maps around the reference point.
     pub cubes: BTreeMap<CubeSpec, B::Cube>,
+    /// Depth maps along directions.
+    pub depths: BTreeMap<DirectionalDepthSpec, B::Depths>,
+    /// What arrives from infinitely far away, if the scene has any.
+    pub environment: Option<Environment>,
     /// Ray queries in the whole scene.
     pub transport: Option<std::sync::Arc<B::Transport>>,
 }
@@ -69,6 +80,8 @@ impl<B: Backend> Default for Captures<B> {
     fn default() -> Self {
         Self {
             cubes: BTreeMap::new(),
+            depths: BTreeMap::new(),
+            environment: None,
             transport: None,
         }
     }
@@ -85,8 +98,16 @@ impl Changed {
     pub const CAPTURES: Self = Self(2);
     /// The points, or where their estimate goes.
     pub const POINTS: Self = Self(4);
+    /// The surfaces: they moved, or others are there.
+    pub const GEOMETRY: Self = Self(8);
+    /// What arrives from infinitely far away.
+    pub const ENVIRONMENT: Self = Self(16);
+    /// Everything in the scene: what a frame costs that keeps nothing.
+    pub const SCENE: Self = Self(2 | 8 | 16);
     /// Everything: the first call.
-    pub const ALL: Self = Self(7);
+    pub const ALL: Self = Self(31);
+    /// Nothing: the same frame again.
+    pub const NOTHING: Self = Self(0);
 
     /// Whether any of `what` changed.
     pub fn any(self, what: Self) -> bool {
@@ -99,6 +120,15 @@ impl BitOr for Changed {
     fn bitor(self, other: Self) -> Self {
         Self(self.0 | other.0)
     }
+}
+
+/// What the camera sees of points that are the vertices of triangles.
+#[derive(Clone, Copy, Debug)]
+pub struct Seen<'a> {
+    /// The points at each triangle's corners.
+    pub triangles: &'a [[u32; 3]],
+    /// The triangles that some pixel of this frame shows.
+    pub visible: &'a [u32],
 }
 
 /// One method's own view of a frame: only what it declared can be read.
@@ -117,6 +147,10 @@ pub struct Inputs<'a, B: Backend> {
     pub scene: SceneFacts,
     /// What changed since the session's last `prepare`.
     pub changed: Changed,
+    /// What the camera sees of the points, where they are vertices.
+    pub seen: Option<Seen<'a>>,
+    /// Milliseconds that the last frame's `prepare` and `shade` took, in a sequence of frames.
+    pub last_frame_ms: Option<f64>,
 }
 
 impl<'a, B: Backend> Inputs<'a, B> {
@@ -138,6 +172,8 @@ impl<'a, B: Backend> Inputs<'a, B> {
             reference_point,
             scene,
             changed,
+            seen: None,
+            last_frame_ms: None,
         }
     }
 
@@ -152,6 +188,34 @@ impl<'a, B: Backend> Inputs<'a, B> {
         self.read.borrow_mut().cubes.insert(*spec);
         let found = self.captures.cubes.get(spec);
         found.ok_or_else(|| EstimatorError::Missing(EstimatorError::cube(spec)))
+    }
+
+    /// Depth maps along directions.
+    ///
+    /// # Errors
+    /// [`EstimatorError::Undeclared`] if `needs` did not name them.
+    pub fn depths(&self, spec: &DirectionalDepthSpec) -> Result<&'a B::Depths, EstimatorError> {
+        let name = || format!("directional depth maps of {0}x{0}", spec.size);
+        if !self.declared.directional_depths.contains(spec) {
+            return Err(EstimatorError::Undeclared(name()));
+        }
+        self.read.borrow_mut().directional_depths.insert(*spec);
+        let found = self.captures.depths.get(spec);
+        found.ok_or_else(|| EstimatorError::Missing(name()))
+    }
+
+    /// What arrives from infinitely far away.
+    ///
+    /// # Errors
+    /// [`EstimatorError::Undeclared`] if `needs` did not ask for it.
+    pub fn environment(&self) -> Result<&'a Environment, EstimatorError> {
+        let name = || "the environment".to_owned();
+        if !self.declared.environment {
+            return Err(EstimatorError::Undeclared(name()));
+        }
+        self.read.borrow_mut().environment = true;
+        let found = self.captures.environment.as_ref();
+        found.ok_or_else(|| EstimatorError::Missing(name()))
     }
 
     /// Full light transport in the whole scene.

@@ -19,6 +19,7 @@ mod registry;
 pub mod classic_envmap;
 pub mod constant_ambient;
 pub mod convolution;
+pub mod directional_ao;
 pub mod localized_cubemap;
 pub mod path_reference;
 pub mod phong_envmap;
@@ -34,7 +35,7 @@ const LOBE_POWER: &str = include_str!("lobe_power.wgsl");
 /// WGSL twin of [`interreflect_cpu::lane::Lane::angle`].
 const ANGLE: &str = include_str!("angle.wgsl");
 
-pub use backend::{Backend, Captures, Changed, Cpu, Gpu, Inputs};
+pub use backend::{Backend, Captures, Changed, Cpu, Gpu, Inputs, Seen};
 pub use error::{EstimatorError, Unsupported};
 pub use method::{Estimator, Info, Method};
 pub use model::OwnModel;

@@ -29,6 +29,8 @@ pub enum OwnModel {
         /// Reflections beyond that of the lights' light.
         bounces: u32,
     },
+    /// The environment at infinity, occluded by all surfaces, which themselves are black.
+    OccludedEnvironment,
     /// Full light transport along these paths.
     LightTransport(LightPaths),
 }

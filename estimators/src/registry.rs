@@ -269,6 +269,7 @@ impl Registry {
             .with(Entry::both::<crate::localized_cubemap::LocalizedCubemap>())
             .with(Entry::both::<crate::point_form_factor::PointFormFactor>())
             .with(Entry::both::<crate::polygon_form_factor::PolygonFormFactor>())
+            .with(Entry::both::<crate::directional_ao::DirectionalAo>())
             .with(Entry::cpu_only::<crate::path_reference::PathReference>())
     }
 

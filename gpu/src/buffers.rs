@@ -88,6 +88,17 @@ impl GpuContext {
         })
     }
 
+    /// Room for the answers of occlusion queries, 8 bytes each, that shaders can read.
+    pub(crate) fn query_answers(&self, count: usize) -> Result<wgpu::Buffer, GpuError> {
+        self.storage_zeroed("occlusion answers", 8 * count as u64)
+    }
+
+    /// Room that occlusion queries are resolved into and copied from.
+    pub(crate) fn query_room(&self, count: u32) -> Result<wgpu::Buffer, GpuError> {
+        let usage = wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC;
+        self.empty_buffer("occlusion queries", 8 * u64::from(count), usage)
+    }
+
     pub(crate) fn filled_buffer(
         &self,
         label: &str,

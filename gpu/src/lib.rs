@@ -25,6 +25,9 @@ pub mod wgsl;
 
 pub use adapter::{AdapterInfo, adapters};
 pub use capture::cube::capture_cube;
+pub use capture::directional_depth::{
+    DEPTH_MAPS_AT_ONCE, GpuDepthMaps, GpuDirectionalDepths, GpuOccluders, MAX_QUERIES,
+};
 pub use coarse::GpuCoarseIrradiance;
 pub use context::GpuContext;
 pub use cube::GpuCube;
@@ -33,12 +36,16 @@ pub use error::GpuError;
 pub use kernel::{Binding, Kernel};
 pub use lights::MAX_LIGHTS;
 pub use pipeline::{CacheStats, Constants};
-pub use points::{GpuEstimate, GpuPoints};
+pub use points::{GpuEstimate, GpuPoints, workgroup_grid};
 pub use scene::GpuScene;
 pub use shader::{Shader, validate};
 pub use timestamps::{GpuTime, TimeSource};
 
 /// Every shader of this crate.
-pub fn shaders() -> [Shader; 2] {
-    [capture::cube::SHADER, capture::shadow::SHADER]
+pub fn shaders() -> [Shader; 3] {
+    [
+        capture::cube::SHADER,
+        capture::shadow::SHADER,
+        capture::directional_depth::SHADER,
+    ]
 }

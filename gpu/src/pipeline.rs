@@ -34,9 +34,54 @@ pub(crate) type RenderPipeline = Bound<wgpu::RenderPipeline>;
 pub(crate) struct RenderSpec<'a> {
     pub(crate) shader: &'a Shader,
     pub(crate) vertex: &'a str,
-    pub(crate) fragment: &'a str,
+    pub(crate) fragment: Option<&'a str>,
+    pub(crate) raster: Raster,
     pub(crate) buffers: &'a [Option<wgpu::VertexBufferLayout<'a>>],
     pub(crate) targets: &'a [Option<wgpu::TextureFormat>],
+}
+
+/// What is drawn and which depth wins.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub(crate) enum Raster {
+    /// Double-sided triangles with reversed depth: nearer is greater.
+    #[default]
+    Nearest,
+    /// Double-sided triangles whose depth alone counts: nearer is smaller, moved back by
+    /// `glPolygonOffset(1, 1)` if asked for.
+    Depths {
+        /// Whether it is moved back.
+        slope_scaled: bool,
+    },
+    /// Single points that are tested against depths where nearer is smaller, and leave no trace.
+    Queries,
+}
+
+impl Raster {
+    fn depth_stencil(self) -> wgpu::DepthStencilState {
+        let compare = match self {
+            Self::Nearest => wgpu::CompareFunction::GreaterEqual,
+            Self::Depths { .. } | Self::Queries => wgpu::CompareFunction::LessEqual,
+        };
+        let offset = i32::from(self == Self::Depths { slope_scaled: true });
+        wgpu::DepthStencilState {
+            format: wgpu::TextureFormat::Depth32Float,
+            depth_write_enabled: Some(self != Self::Queries),
+            depth_compare: Some(compare),
+            stencil: wgpu::StencilState::default(),
+            bias: wgpu::DepthBiasState {
+                constant: offset,
+                slope_scale: offset as f32,
+                clamp: 0.0,
+            },
+        }
+    }
+
+    fn topology(self) -> wgpu::PrimitiveTopology {
+        match self {
+            Self::Queries => wgpu::PrimitiveTopology::PointList,
+            _ => wgpu::PrimitiveTopology::TriangleList,
+        }
+    }
 }
 
 /// What makes two pipelines the same.
@@ -47,6 +92,7 @@ struct Key {
     entries: Vec<String>,
     constants: Vec<(String, u64)>,
     targets: Vec<Option<wgpu::TextureFormat>>,
+    raster: Raster,
 }
 
 impl Key {
@@ -57,6 +103,7 @@ impl Key {
             entries: entries.iter().map(|&e| e.to_owned()).collect(),
             constants: Vec::new(),
             targets: Vec::new(),
+            raster: Raster::default(),
         }
     }
 }
@@ -136,14 +183,15 @@ impl GpuContext {
         self.pipelines().get(key, |state| &mut state.compute, build)
     }
 
-    /// A pipeline that rasterises double-sided triangles with reversed depth: nearer is greater.
+    /// A pipeline that rasterises.
     pub(crate) fn render_pipeline(
         &self,
         spec: &RenderSpec<'_>,
     ) -> Result<RenderPipeline, GpuError> {
-        let entries = [spec.vertex, spec.fragment];
+        let entries: Vec<_> = std::iter::once(spec.vertex).chain(spec.fragment).collect();
         let key = Key {
             targets: spec.targets.to_vec(),
+            raster: spec.raster,
             ..Key::new(spec.shader, &entries)
         };
         let build = || {
@@ -201,18 +249,15 @@ fn create_render_pipeline(
             compilation_options: wgpu::PipelineCompilationOptions::default(),
             buffers: spec.buffers,
         },
-        primitive: wgpu::PrimitiveState::default(),
-        depth_stencil: Some(wgpu::DepthStencilState {
-            format: wgpu::TextureFormat::Depth32Float,
-            depth_write_enabled: Some(true),
-            depth_compare: Some(wgpu::CompareFunction::GreaterEqual),
-            stencil: wgpu::StencilState::default(),
-            bias: wgpu::DepthBiasState::default(),
-        }),
+        primitive: wgpu::PrimitiveState {
+            topology: spec.raster.topology(),
+            ..Default::default()
+        },
+        depth_stencil: Some(spec.raster.depth_stencil()),
         multisample: wgpu::MultisampleState::default(),
-        fragment: Some(wgpu::FragmentState {
+        fragment: spec.fragment.map(|entry| wgpu::FragmentState {
             module,
-            entry_point: Some(spec.fragment),
+            entry_point: Some(entry),
             compilation_options: wgpu::PipelineCompilationOptions::default(),
             targets: &targets,
         }),

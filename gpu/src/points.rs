@@ -86,6 +86,11 @@ impl GpuPoints {
         [&self.buffer, &self.info, &estimate.buffer].map(Binding::Buffer)
     }
 
+    /// The bindings of slots 0 and 1 alone, for shaders that write no estimate.
+    pub fn inputs(&self) -> [Binding<'_>; 2] {
+        [&self.buffer, &self.info].map(Binding::Buffer)
+    }
+
     /// Workgroups of [`LANES`] lanes that cover all points; `point_index` of the part
     /// [`crate::wgsl::POINTS`] numbers them.
     pub fn workgroups(&self) -> [u32; 3] {
@@ -95,7 +100,7 @@ impl GpuPoints {
 
 /// Rows of as many workgroups as a dispatch may have along one axis; the last row may have some to
 /// spare.
-fn workgroup_grid(blocks: usize) -> [u32; 3] {
+pub fn workgroup_grid(blocks: usize) -> [u32; 3] {
     let rows = blocks.div_ceil(MAX_WORKGROUPS);
     let columns = blocks.div_ceil(rows.max(1));
     [columns as u32, rows as u32, 1]

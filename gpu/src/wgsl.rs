@@ -17,3 +17,6 @@ pub const LIGHTS: &str = include_str!("wgsl/lights.wgsl");
 /// Lookup in a latitude–longitude image, as `interreflect_scene::LatLongImage::sample`; needs
 /// [`MATH`].
 pub const LAT_LONG: &str = include_str!("wgsl/lat_long.wgsl");
+
+/// Orthographic frames along directions, as `interreflect_scene::DirectionalFrame`.
+pub const DIRECTIONAL: &str = include_str!("wgsl/directional.wgsl");

@@ -59,7 +59,7 @@ pub fn measure<S: Stage>(
     let later = if kept {
         Changed::POINTS
     } else {
-        Changed::CAPTURES
+        Changed::SCENE
     };
     let (first, again) = (inputs(Changed::ALL), inputs(later));
     let mut frame = std::iter::once(&first).chain(std::iter::repeat(&again));
@@ -100,6 +100,11 @@ fn unread(needs: &Needs, read: [Needs; 2]) -> Needs {
     let unread = needs.cubes.iter().filter(|spec| !was_read(spec));
     Needs {
         cubes: unread.copied().collect(),
+        directional_depths: (needs.directional_depths.iter())
+            .filter(|spec| !read.iter().any(|r| r.directional_depths.contains(spec)))
+            .copied()
+            .collect(),
+        environment: needs.environment && !read[0].environment,
         light_transport: needs.light_transport && !read[0].light_transport,
         ..Needs::default()
     }

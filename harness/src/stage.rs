@@ -2,6 +2,7 @@
 //! timed there.
 
 use interreflect_cpu::capture::cube::capture_cube as capture_cube_cpu;
+use interreflect_cpu::capture::directional_depth::DirectionalDepths;
 use interreflect_cpu::path_tracer::CoarseSolution;
 use interreflect_cpu::scene::CpuScene;
 use interreflect_cpu::tiles::CpuCx;
@@ -9,10 +10,10 @@ use interreflect_estimators::{
     Backend, Captures, Configured, Cpu, EstimatorError, Gpu, Session, Unsupported,
 };
 use interreflect_gpu::{
-    GpuCoarseIrradiance, GpuContext, GpuEstimate, GpuPoints, GpuScene, GpuTime, TimeSource,
-    capture_cube as capture_cube_gpu,
+    GpuCoarseIrradiance, GpuContext, GpuDirectionalDepths, GpuEstimate, GpuOccluders, GpuPoints,
+    GpuScene, GpuTime, TimeSource, capture_cube as capture_cube_gpu,
 };
-use interreflect_scene::{Estimate, Needs, Points};
+use interreflect_scene::{Environment, Estimate, Needs, Points, Scene};
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
@@ -135,6 +136,11 @@ impl Stage for CpuStage<'_> {
             captures.cubes.insert(*spec, cube);
         }
         let ms = milliseconds(start);
+        for &spec in &needs.directional_depths {
+            let depths = DirectionalDepths::new(self.scene.clone(), spec);
+            captures.depths.insert(spec, depths);
+        }
+        captures.environment = environment(needs, self.scene.scene());
         if needs.light_transport {
             captures.transport = Some(self.scene.clone());
         }
@@ -171,6 +177,8 @@ pub struct GpuStage<'a> {
     /// Uploaded coarse solutions by their bounces, with the milliseconds that solving and uploading
     /// took.
     coarse: RefCell<BTreeMap<u32, (GpuCoarseIrradiance, f64)>>,
+    /// All triangles, uploaded when depth maps of them are first asked for.
+    occluders: RefCell<Option<Arc<GpuOccluders>>>,
     fell_back: Cell<bool>,
 }
 
@@ -182,8 +190,21 @@ impl<'a> GpuStage<'a> {
             scene,
             host,
             coarse: RefCell::default(),
+            occluders: RefCell::default(),
             fell_back: Cell::new(false),
         }
+    }
+
+    fn occluders(&self) -> Result<Arc<GpuOccluders>, EstimatorError> {
+        let mut known = self.occluders.borrow_mut();
+        let occluders = match known.take() {
+            Some(occluders) => occluders,
+            None => {
+                let scene = self.host.scene.scene();
+                Arc::new(GpuOccluders::new(&self.context, scene)?)
+            }
+        };
+        Ok(known.insert(occluders).clone())
     }
 
     /// Milliseconds of a recording; remembers if the device's clock was of no use.
@@ -239,6 +260,11 @@ impl Stage for GpuStage<'_> {
             }
             Ok::<_, EstimatorError>(())
         })?;
+        for &spec in &needs.directional_depths {
+            let depths = GpuDirectionalDepths::new(self.occluders()?, spec);
+            captures.depths.insert(spec, depths);
+        }
+        captures.environment = environment(needs, scene);
         Ok((captures, self.milliseconds(time)))
     }
 
@@ -260,6 +286,11 @@ impl Stage for GpuStage<'_> {
     fn device_clock(&self) -> bool {
         self.context.device_clock() && !self.fell_back.get()
     }
+}
+
+/// The environment, where it is asked for.
+fn environment(needs: &Needs, scene: &Scene) -> Option<Environment> {
+    scene.environment.clone().filter(|_| needs.environment)
 }
 
 fn milliseconds(start: Instant) -> f64 {

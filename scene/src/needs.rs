@@ -1,5 +1,6 @@
 //! What a method asks of a backend before it can run.
 
+use crate::DirectionalDepthSpec;
 use std::collections::BTreeSet;
 
 /// Channels of a cube capture; what is not asked for is not captured.
@@ -45,6 +46,10 @@ impl CubeSpec {
 pub struct Needs {
     /// Cube captures, each readable by the spec that asked for it.
     pub cubes: BTreeSet<CubeSpec>,
+    /// Depth maps along directions, each set readable by the spec that asked for it.
+    pub directional_depths: BTreeSet<DirectionalDepthSpec>,
+    /// The radiance that arrives from infinitely far away.
+    pub environment: bool,
     /// Ray queries and full light transport in the whole scene (CPU only).
     pub light_transport: bool,
     /// Captures made elsewhere will do, up to this distance in metres from the reference point; 0:
@@ -57,6 +62,8 @@ pub struct Needs {
 pub struct SceneFacts {
     /// There are surfaces to capture.
     pub surfaces: bool,
+    /// There are surfaces, receivers included, that may lie between a point and the sky.
+    pub occluders: bool,
     /// Radiance arrives from infinitely far away.
     pub environment: bool,
     /// Number of point, spot, directional and area lights.

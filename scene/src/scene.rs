@@ -78,6 +78,7 @@ impl Scene {
             surfaces: self
                 .objects_of(Role::Environment)
                 .any(|o| !o.mesh.triangles.is_empty()),
+            occluders: self.objects.iter().any(|o| !o.mesh.triangles.is_empty()),
             environment: self.environment.is_some(),
             lights: self.lights.len() as u32,
             emitters: used().any(|m| m.emission != Vec3::ZERO),

@@ -2,7 +2,7 @@
 
 use super::raster::{Drawing, RASTER, begin_pass};
 use super::shadow::{SHADOW_MAPS, record_shadow_maps};
-use crate::pipeline::RenderSpec;
+use crate::pipeline::{Raster, RenderSpec};
 use crate::{
     Binding, GpuCoarseIrradiance, GpuCube, GpuCx, GpuError, GpuScene, Shader, scene, wgsl,
 };
@@ -126,7 +126,8 @@ fn prepare(
         let spec = RenderSpec {
             shader: &SHADER,
             vertex,
-            fragment,
+            fragment: Some(fragment),
+            raster: Raster::Nearest,
             buffers,
             targets: &targets,
         };

@@ -31,18 +31,30 @@ impl Drawing {
         scene: &GpuScene,
         instance: u32,
     ) {
-        self.set(pass);
-        pass.set_vertex_buffer(0, scene.vertices.slice(..));
-        pass.draw(0..scene.vertex_count, instance..instance + 1);
+        self.draw(pass, &scene.vertices, scene.vertex_count, instance);
+    }
+
+    /// Draws vertices as one instance.
+    pub(crate) fn draw(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        vertices: &wgpu::Buffer,
+        count: u32,
+        instance: u32,
+    ) {
+        self.bind(pass);
+        pass.set_vertex_buffer(0, vertices.slice(..));
+        pass.draw(0..count, instance..instance + 1);
     }
 
     /// Draws one triangle without vertex buffers as one instance.
     pub(crate) fn draw_triangle(&self, pass: &mut wgpu::RenderPass<'_>, instance: u32) {
-        self.set(pass);
+        self.bind(pass);
         pass.draw(0..3, instance..instance + 1);
     }
 
-    fn set(&self, pass: &mut wgpu::RenderPass<'_>) {
+    /// Sets the pipeline and what is bound to it.
+    pub(crate) fn bind(&self, pass: &mut wgpu::RenderPass<'_>) {
         pass.set_pipeline(&self.pipeline.raw);
         pass.set_bind_group(0, &self.group, &[]);
     }

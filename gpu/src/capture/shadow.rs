@@ -1,7 +1,7 @@
 //! Shadow maps: distances from each light to the first surface.
 
 use super::raster::{Drawing, RASTER, array_view, begin_pass, layer_view};
-use crate::pipeline::RenderSpec;
+use crate::pipeline::{Raster, RenderSpec};
 use crate::{Binding, GpuCx, GpuError, GpuScene, Shader, lights::GpuLights, scene, wgsl};
 
 /// Texels along the edge of a shadow map. A texel is 2/1024 of the distance to the light wide
@@ -37,7 +37,8 @@ pub(crate) fn record_shadow_maps(
     let spec = RenderSpec {
         shader: &SHADER,
         vertex: "vs_shadow",
-        fragment: "fs_shadow",
+        fragment: Some("fs_shadow"),
+        raster: Raster::Nearest,
         buffers: &[Some(scene::VERTEX)],
         targets: &[Some(format)],
     };

@@ -7,7 +7,7 @@ use interreflect_estimators::{Configured, Registry};
 use interreflect_scene::library::library;
 use interreflect_scene::load::{SceneRequest, open};
 use interreflect_scene::params::{FieldInfo, Value};
-use interreflect_scene::{Needs, Scene};
+use interreflect_scene::{DirectionalDepthSpec, Needs, Scene};
 use serde_json::{Map, Value as Json, json};
 
 pub(super) fn run(command: &List, registry: Registry) -> Result<(), HarnessError> {
@@ -130,6 +130,12 @@ fn describe(needs: &Needs) -> String {
         format!("cube {}² {}{bounces}", spec.size, channels.join("+"))
     };
     let mut parts: Vec<_> = needs.cubes.iter().map(cube).collect();
+    let depths =
+        |d: &DirectionalDepthSpec| format!("depth maps of {0}x{0} along directions", d.size);
+    parts.extend(needs.directional_depths.iter().map(depths));
+    if needs.environment {
+        parts.push("the environment at infinity".into());
+    }
     if needs.light_transport {
         parts.push("light transport".into());
     }

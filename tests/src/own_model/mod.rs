@@ -14,13 +14,14 @@ mod split;
 mod tests;
 
 use gather::Gather;
+use glam::Vec3;
 use hierarchy::Hierarchy;
-use interreflect_cpu::path_tracer::{Stop, trace};
+use interreflect_cpu::path_tracer::{LightPaths, Stop, trace};
 use interreflect_cpu::scene::CpuScene;
 use interreflect_cpu::tiles::CpuCx;
 use interreflect_estimators::path_reference::path_quantity;
 use interreflect_estimators::{OwnModel, Quantity};
-use interreflect_scene::{Estimate, Points};
+use interreflect_scene::{Estimate, Material, Points};
 
 /// A model's value at each point, with how far it may be off.
 pub struct ModelValues {
@@ -60,6 +61,11 @@ pub fn evaluate(
             description: format!("path tracing, {} samples, seed {seed}", traced.samples),
         };
     }
+    if model == OwnModel::OccludedEnvironment {
+        let black = black(scene);
+        let paths = OwnModel::LightTransport(LightPaths::default());
+        return evaluate(cx, paths, quantity, &black, points, stop, seed);
+    }
     let integral = |size, far| {
         let hierarchy = cx.install(|| Hierarchy::new(model, scene, size));
         let mut values = Estimate::new(points.len());
@@ -77,4 +83,15 @@ pub fn evaluate(
         error,
         description: format!("integral over 6×{PATCH_RESOLUTION}² patches"),
     }
+}
+
+/// A scene whose surfaces send nothing: all light in it comes from the environment, past them.
+fn black(scene: &CpuScene) -> CpuScene {
+    let mut black = scene.scene().clone();
+    black.lights.clear();
+    black
+        .materials
+        .iter_mut()
+        .for_each(|m| *m = Material::diffuse(Vec3::ZERO));
+    CpuScene::new(&black).expect("a scene that was checked before")
 }

@@ -1,0 +1,93 @@
+//! What is known of which points, and what a frame adds to it.
+
+use super::sphere::{DIRECTIONS, MAX_LEVEL};
+use super::todo::Todo;
+use super::{DirectionalAoParams, level};
+use crate::{Backend, Changed, Inputs};
+use std::ops::Range;
+
+/// Bits of a word, one for each direction.
+pub(super) const WORD: usize = u32::BITS as usize;
+
+/// Directions that are looked along for some points.
+pub(super) struct Step {
+    /// The points, in order.
+    pub(super) points: Vec<u32>,
+    /// The directions.
+    pub(super) directions: Range<usize>,
+}
+
+/// What is known, kept across frames.
+#[derive(Default)]
+pub(super) struct Progress {
+    pub(super) todo: Todo,
+    /// Level of the last frame.
+    level: Option<u32>,
+    /// Directions that were looked along for all evaluated points.
+    known: usize,
+}
+
+impl Progress {
+    /// Level of the last frame; `None` before the first one.
+    pub(super) fn level(&self) -> Option<u32> {
+        self.level
+    }
+
+    /// Begins a frame: what it has to look at, and whether all that was known is worth nothing.
+    pub(super) fn begin<B: Backend>(
+        &mut self,
+        params: &DirectionalAoParams,
+        inputs: &Inputs<'_, B>,
+    ) -> (Vec<Step>, bool) {
+        let moved = inputs.changed.any(Changed::GEOMETRY);
+        let forget = moved || inputs.changed.any(Changed::PARAMS | Changed::POINTS);
+        if forget {
+            self.todo.forget();
+            self.known = 0;
+        }
+        let level = level::next(params, self.level, inputs.last_frame_ms, moved);
+        self.level = Some(level);
+        let known = self.known;
+        self.known = known.max(DIRECTIONS[level as usize] as usize);
+        let refined = Step {
+            points: self.todo.done(),
+            directions: known..self.known,
+        };
+        let seen = inputs.seen.filter(|_| params.filter);
+        let new = Step {
+            points: self.todo.take(inputs.host_points.len(), seen),
+            directions: 0..self.known,
+        };
+        let steps = [refined, new].into_iter();
+        let steps = steps.filter(|s| !s.points.is_empty() && !s.directions.is_empty());
+        (steps.collect(), forget)
+    }
+}
+
+/// Words that hold the bits of all directions of a level.
+pub(super) fn words(level: u32) -> usize {
+    (DIRECTIONS[level.min(MAX_LEVEL) as usize] as usize).div_ceil(WORD)
+}
+
+/// A range of directions, cut where a new word begins.
+pub(super) fn by_words(directions: Range<usize>) -> impl Iterator<Item = Range<usize>> {
+    let words = directions.start / WORD..directions.end.div_ceil(WORD);
+    words.map(move |w| directions.start.max(w * WORD)..directions.end.min((w + 1) * WORD))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ranges_are_cut_at_words() {
+        let cut = |range| by_words(range).collect::<Vec<_>>();
+        assert_eq!(cut(0..6), [0..6]);
+        assert_eq!(cut(6..66), [6..32, 32..64, 64..66]);
+        assert_eq!(cut(64..64), []);
+        assert_eq!(
+            (0..=MAX_LEVEL).map(words).collect::<Vec<_>>(),
+            [1, 1, 3, 9, 33]
+        );
+    }
+}

@@ -1,0 +1,102 @@
+//! Which points a frame evaluates: all of them, or those of triangles that are about to be seen for
+//! the first time (P5: the lists U of unseen triangles and T of those to do).
+
+use crate::Seen;
+
+/// With so few unseen triangles left, the rest is evaluated at once: the lists would cost more than
+/// they save (P5: "skip it when U is small").
+const SMALL: f64 = 0.01;
+
+/// What has been evaluated, kept across frames.
+#[derive(Default)]
+pub(super) struct Todo {
+    evaluated: Vec<bool>,
+    /// U: triangles that were not seen yet; `None` before the first frame that filters.
+    unseen: Option<Vec<bool>>,
+    unseen_count: usize,
+    /// Points that were evaluated since the start, repetitions counted.
+    pub(super) evaluations: u64,
+}
+
+impl Todo {
+    /// Forgets what was evaluated: surfaces or points have moved.
+    pub(super) fn forget(&mut self) {
+        self.evaluated.clear();
+        self.unseen = None;
+    }
+
+    /// Whether point `i` was evaluated.
+    #[cfg(test)]
+    pub(super) fn evaluated(&self, i: usize) -> bool {
+        self.evaluated.get(i).copied().unwrap_or(false)
+    }
+
+    /// The points that were evaluated before this frame, in order.
+    pub(super) fn done(&self) -> Vec<u32> {
+        let points = (0..).zip(&self.evaluated);
+        points.filter_map(|(i, done)| done.then_some(i)).collect()
+    }
+
+    /// The points out of `count` that this frame has to evaluate, in order: all that were not yet,
+    /// or with `seen` those of them at corners of triangles that are seen for the first time.
+    pub(super) fn take(&mut self, count: usize, seen: Option<Seen<'_>>) -> Vec<u32> {
+        self.evaluated.resize(count, false);
+        let mut wanted = match seen {
+            Some(seen) => self.about_to_be_seen(seen),
+            None => (0..count as u32).collect(),
+        };
+        wanted.retain(|&i| !std::mem::replace(&mut self.evaluated[i as usize], true));
+        self.evaluations += wanted.len() as u64;
+        wanted
+    }
+
+    fn about_to_be_seen(&mut self, seen: Seen<'_>) -> Vec<u32> {
+        let all = seen.triangles.len();
+        let unseen = self.unseen.get_or_insert_with(|| vec![true; all]);
+        if self.evaluated.iter().all(|done| !done) {
+            *unseen = vec![true; all];
+            self.unseen_count = all;
+        }
+        let mut todo = Vec::new();
+        for &triangle in seen.visible {
+            if std::mem::take(&mut unseen[triangle as usize]) {
+                self.unseen_count -= 1;
+                todo.extend(seen.triangles[triangle as usize]);
+            }
+        }
+        if (self.unseen_count as f64) < SMALL * all as f64 {
+            unseen.fill(false);
+            self.unseen_count = 0;
+            todo = (0..self.evaluated.len() as u32).collect();
+        }
+        todo.sort_unstable();
+        todo.dedup();
+        todo
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_vertices_of_triangles_seen_for_the_first_time() {
+        let triangles = [[0, 1, 2], [1, 2, 3], [3, 4, 5]];
+        let mut todo = Todo::default();
+        let mut frame = |visible: &[u32]| {
+            let seen = Seen {
+                triangles: &triangles,
+                visible,
+            };
+            todo.take(6, Some(seen))
+        };
+        assert_eq!(frame(&[0]), [0, 1, 2]);
+        assert_eq!(frame(&[0, 1]), [3]);
+        assert_eq!(frame(&[0, 1]), []);
+        assert_eq!(frame(&[2]), [4, 5]);
+        assert_eq!(todo.evaluations, 6);
+        todo.forget();
+        assert_eq!(todo.take(6, None), [0, 1, 2, 3, 4, 5]);
+        assert_eq!(todo.take(6, None), []);
+    }
+}

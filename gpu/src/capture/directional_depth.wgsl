@@ -1,0 +1,25 @@
+// Depth maps along directions, and points that are tested against them. Depth alone is written.
+// Needs the parts POINTS and DIRECTIONAL.
+
+@group(0) @binding(3) var<uniform> directions: Frames;
+
+fn clip_along(layer: u32, position: vec3f) -> vec4f {
+    let p = project_along(directions.frames[layer], directions.centre, directions.radius, position);
+    return vec4f(p.x, -p.y, p.z, 1.0);
+}
+
+@vertex
+fn vs_depth(
+    @location(0) position: vec3f,
+    @builtin(instance_index) layer: u32,
+) -> @invariant @builtin(position) vec4f {
+    return clip_along(layer, position);
+}
+
+@vertex
+fn vs_point(
+    @builtin(vertex_index) index: u32,
+    @builtin(instance_index) layer: u32,
+) -> @invariant @builtin(position) vec4f {
+    return clip_along(layer, point_vector(index, POSITION));
+}

@@ -1,0 +1,132 @@
+//! Orthographic depth maps along directions: the convention that both backends render by.
+
+use crate::Scene;
+use glam::{DVec3, Vec3};
+
+/// Depth maps of all objects, receivers too, along whatever directions their reader asks for. They
+/// are made in batches while they are read: a thousand of them would not fit in memory.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct DirectionalDepthSpec {
+    /// Texels along the edge of a map.
+    pub size: u32,
+    /// Depths are moved back by one unit in the last place and by the surface's slope over one
+    /// texel: `glPolygonOffset(1, 1)`.
+    pub slope_scaled: bool,
+}
+
+/// A sphere in metres.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct BoundingSphere {
+    /// Centre.
+    pub centre: Vec3,
+    /// Radius.
+    pub radius: f32,
+}
+
+/// An orthographic view along a direction of what lies in a sphere.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DirectionalFrame {
+    /// Unit vector towards growing columns.
+    pub right: Vec3,
+    /// Unit vector towards shrinking rows.
+    pub up: Vec3,
+    /// Unit vector to where the view looks from.
+    pub towards: Vec3,
+    /// What is in view; no radius is zero.
+    pub sphere: BoundingSphere,
+}
+
+/// A depth map on the host.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DepthMap {
+    /// The view.
+    pub frame: DirectionalFrame,
+    /// Texels along the edge.
+    pub size: u32,
+    /// Depths in [0, 1], row by row; 1 where there is nothing.
+    pub depth: Vec<f32>,
+}
+
+impl BoundingSphere {
+    /// Around all objects of a scene, with a margin of a hundredth, so that its rim lies inside
+    /// the maps.
+    pub fn of_objects(scene: &Scene) -> Self {
+        let boxes = scene.objects.iter().filter_map(|o| o.mesh.bounds());
+        let around = boxes.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)));
+        let (low, high) = around.unwrap_or_default();
+        Self {
+            centre: low.midpoint(high),
+            radius: (0.505 * low.distance(high)).max(f32::MIN_POSITIVE),
+        }
+    }
+}
+
+impl DirectionalFrame {
+    /// The view from a unit direction.
+    pub fn new(sphere: BoundingSphere, towards: Vec3) -> Self {
+        let right = towards.any_orthonormal_vector();
+        Self {
+            right,
+            up: towards.cross(right),
+            towards,
+            sphere,
+        }
+    }
+
+    /// Column coordinate s, row coordinate t (both in [−1, 1] inside the sphere) and depth (0
+    /// nearest, 1 farthest) of a position in metres.
+    pub fn project(&self, position: Vec3) -> DVec3 {
+        let offset = (position - self.sphere.centre).as_dvec3() / f64::from(self.sphere.radius);
+        let along = |axis: Vec3| offset.dot(axis.as_dvec3());
+        DVec3::new(
+            along(self.right),
+            -along(self.up),
+            0.5 - 0.5 * along(self.towards),
+        )
+    }
+}
+
+impl DepthMap {
+    /// A map in which there is nothing.
+    pub fn new(frame: DirectionalFrame, size: u32) -> Self {
+        Self {
+            frame,
+            size,
+            depth: vec![1.0; (size as usize).pow(2)],
+        }
+    }
+
+    /// Depth of a position, and the map's at the texel that holds it.
+    pub fn depths(&self, position: Vec3) -> [f32; 2] {
+        let p = self.frame.project(position);
+        let size = f64::from(self.size);
+        let texel = |s: f64| ((s * 0.5 + 0.5) * size).clamp(0.0, size - 0.5) as usize;
+        let index = texel(p.y) * self.size as usize + texel(p.x);
+        [p.z as f32, self.depth[index]]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_frame_is_orthonormal_and_looks_at_its_sphere() {
+        let sphere = BoundingSphere {
+            centre: Vec3::new(1.0, 2.0, 3.0),
+            radius: 2.0,
+        };
+        for towards in [Vec3::Y, -Vec3::Z, Vec3::new(0.6, -0.48, 0.64)] {
+            let frame = DirectionalFrame::new(sphere, towards);
+            let near = frame.project(sphere.centre + towards * 2.0);
+            let far = frame.project(sphere.centre - towards * 2.0 + frame.right * 2.0);
+            assert!((near - DVec3::new(0.0, 0.0, 0.0)).length() < 1e-6, "{near}");
+            assert!((far - DVec3::new(1.0, 0.0, 1.0)).length() < 1e-6, "{far}");
+            let above = frame.project(sphere.centre + frame.up);
+            assert!(
+                (above - DVec3::new(0.0, -0.5, 0.5)).length() < 1e-6,
+                "{above}"
+            );
+        }
+    }
+}
