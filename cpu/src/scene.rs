@@ -9,7 +9,7 @@ use crate::{
     path_tracer::{CoarseSolution, emitters::Emitters},
 };
 use glam::{DVec3, Vec3};
-use interreflect_scene::{CubeSpec, Material, Mesh, Object, Role, Scene};
+use interreflect_scene::{CubeSpec, Material, Mesh, Role, Scene};
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
@@ -123,7 +123,8 @@ impl CpuScene {
         direction: DVec3,
         hit: Hit,
     ) -> SurfaceHit {
-        let (object, local) = objects.locate(&self.scene, hit.triangle);
+        let (object, local) = objects.locate(hit.triangle);
+        let object = &self.scene.objects[object];
         let mesh = &object.mesh;
         let normal = mesh.normal(local);
         let front = normal.as_dvec3().dot(direction) < 0.0;
@@ -181,8 +182,8 @@ impl Geometry {
             emitters: Emitters::default(),
         };
         geometry.emitters = Emitters::new(scene, &soup, |triangle| {
-            let (object, local) = geometry.locate(scene, triangle);
-            let mesh = &object.mesh;
+            let (object, local) = geometry.locate(triangle);
+            let mesh = &scene.objects[object].mesh;
             let radiance = scene.materials[mesh.materials[local] as usize].emission;
             (radiance, mesh.normal(local))
         });
@@ -216,14 +217,14 @@ impl Geometry {
         self.bvh.occluded(origin, direction, self.ray_start(), end)
     }
 
-    /// The object of a triangle and the triangle's index in its mesh.
-    fn locate<'a>(&self, scene: &'a Scene, triangle: u32) -> (&'a Object, usize) {
+    /// Index of the object of a triangle, and the triangle's index in the object's mesh.
+    pub fn locate(&self, triangle: u32) -> (usize, usize) {
         let at = self
             .objects
             .partition_point(|&(_, first)| first <= triangle)
             - 1;
         let (object, first) = self.objects[at];
-        (&scene.objects[object as usize], (triangle - first) as usize)
+        (object as usize, (triangle - first) as usize)
     }
 }
 

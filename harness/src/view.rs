@@ -1,30 +1,60 @@
 //! What the camera sees, as a list of points: what is measured is what is shown.
 
+mod vertices;
+
 use crate::error::HarnessError;
 use crate::output::HdrImage;
 use glam::{DVec3, Vec3};
 use interreflect_cpu::direct::captured_radiance;
 use interreflect_cpu::scene::{CpuScene, SurfaceHit};
+use interreflect_estimators::Seen;
 use interreflect_scene::{Camera, Estimate, Point, PointLayout, Points, Role, SurfaceMaterial};
 use rayon::prelude::*;
+use vertices::Vertices;
 
 /// An image as a list of points: what indirect light is estimated for, and the pixels that show it.
 pub struct View {
     /// Width and height in pixels.
     pub resolution: [u32; 2],
-    points: Vec<Point>,
+    points: Vec<Option<Point>>,
     pixels: Vec<Pixel>,
+    /// The triangles whose corners the points are, and those that some pixel shows; none where the
+    /// points are the pixels'.
+    vertices: Option<(Vec<[u32; 3]>, Vec<u32>)>,
 }
 
 /// What a pixel shows.
 #[derive(Clone, Copy)]
 struct Pixel {
-    /// The point that it sees, none if it sees no shaded surface.
-    point: Option<usize>,
+    /// The points that it shows, none if it sees no shaded surface.
+    taps: Option<Taps>,
     /// Product of the mirrors' reflectances between camera and point.
     throughput: Vec3,
     /// Radiance that needs no estimate: emission, reflected direct light, environment at infinity.
     direct: Vec3,
+}
+
+/// Points with their weights.
+#[derive(Clone, Copy)]
+struct Taps {
+    points: [u32; 3],
+    weights: [f32; 3],
+}
+
+impl Taps {
+    fn one(point: usize) -> Self {
+        Self {
+            points: [point as u32, 0, 0],
+            weights: [1.0, 0.0, 0.0],
+        }
+    }
+
+    fn of(self, estimate: &Estimate) -> Vec3 {
+        let taps = self.points.into_iter().zip(self.weights);
+        taps.filter(|tap| tap.1 != 0.0)
+            .map(|(point, weight)| estimate.get(point as usize) * weight)
+            .sum()
+    }
 }
 
 /// Mirrors that a pixel's ray is followed through.
@@ -88,39 +118,70 @@ impl View {
     fn cropped(scene: &CpuScene, camera: &Camera, window: [u32; 4]) -> Result<Self, HarnessError> {
         let [x0, y0, x1, y1] = window;
         let (width, height) = (x1 - x0, y1 - y0);
-        if u64::from(width) * u64::from(height) > MAX_PIXELS {
-            return Err(HarnessError::Usage(format!(
-                "an image of {width} × {height} pixels is too large: use {MAX_PIXELS} at most, or \
-                 fewer points"
-            )));
-        }
+        check_size(width, height)?;
         let only_receivers = scene.scene().objects_of(Role::Receiver).next().is_some();
-        let traced: Vec<Traced> = (0..width as usize * height as usize)
-            .into_par_iter()
-            .map(|i| {
-                let (x, y) = (x0 + i as u32 % width, y0 + i as u32 / width);
-                let direction = camera.ray(x as f32 + 0.5, y as f32 + 0.5);
-                Traced::new(scene, camera.eye.as_dvec3(), direction, only_receivers)
-            })
-            .collect();
+        let traced = traced(scene, camera, window, only_receivers);
         let traced_points: Vec<_> = traced.iter().map(|traced| traced.point).collect();
         let mut points = Vec::new();
-        let pixels = traced.iter().enumerate().map(|(i, traced)| Pixel {
-            point: traced.point.map(|point| {
-                points.push(Point {
+        let pixels = traced.iter().enumerate().map(|(i, traced)| {
+            let taps = traced.point.map(|point| {
+                points.push(Some(Point {
                     footprint: footprint(&traced_points, width as usize, i),
                     ..point
-                });
-                points.len() - 1
-            }),
-            throughput: traced.throughput,
-            direct: traced.direct,
+                }));
+                Taps::one(points.len() - 1)
+            });
+            traced.pixel(taps)
         });
         Ok(Self {
             resolution: [width, height],
             pixels: pixels.collect(),
             points,
+            vertices: None,
         })
+    }
+
+    /// What `camera` sees, shaded at the vertices of all objects that are shaded and interpolated
+    /// over their triangles.
+    ///
+    /// # Errors
+    /// As [`View::new`].
+    pub fn at_vertices(scene: &CpuScene, camera: &Camera) -> Result<Self, HarnessError> {
+        let [width, height] = camera.resolution;
+        check_size(width, height)?;
+        let only_receivers = scene.scene().objects_of(Role::Receiver).next().is_some();
+        let vertices = Vertices::new(scene.scene(), camera.eye, only_receivers);
+        let traced = traced(scene, camera, [0, 0, width, height], only_receivers);
+        let mut visible = Vec::new();
+        let pixels = traced.iter().map(|traced| {
+            let hit = traced.hit.filter(|_| traced.point.is_some());
+            let taps = hit.map(|hit| {
+                let (object, triangle) = scene.all_objects().locate(hit.triangle);
+                let triangle = vertices.first_triangle[object] + triangle as u32;
+                visible.push(triangle);
+                let [v, w] = hit.barycentric;
+                Taps {
+                    points: vertices.triangles[triangle as usize],
+                    weights: [1.0 - v - w, v, w],
+                }
+            });
+            traced.pixel(taps)
+        });
+        let pixels = pixels.collect();
+        visible.sort_unstable();
+        visible.dedup();
+        Ok(Self {
+            resolution: camera.resolution,
+            pixels,
+            points: vertices.points,
+            vertices: Some((vertices.triangles, visible)),
+        })
+    }
+
+    /// Triangles between the points and those that are seen, where the points are vertices.
+    pub fn seen(&self) -> Option<Seen<'_>> {
+        let (triangles, visible) = self.vertices.as_ref()?;
+        Some(Seen { triangles, visible })
     }
 
     /// The smallest window [left, top, right, bottom) around all shaded pixels; the whole image if
@@ -131,7 +192,7 @@ impl View {
             .pixels
             .iter()
             .enumerate()
-            .filter(|(_, p)| p.point.is_some());
+            .filter(|(_, p)| p.taps.is_some());
         let at = shaded.map(|(i, _)| (i as u32 % width, i as u32 / width));
         at.map(|(x, y)| [x, y, x + 1, y + 1])
             .reduce(|a, b| {
@@ -147,13 +208,13 @@ impl View {
 
     /// The points in a layout.
     pub fn points(&self, layout: PointLayout) -> Points {
-        Points::new(layout, self.points.iter().copied().map(Some))
+        Points::new(layout, self.points.iter().copied())
     }
 
     /// An estimate as an image, through the mirrors in between; black where no surface is shaded.
     pub fn image(&self, estimate: &Estimate) -> HdrImage {
         self.pixels(|pixel| {
-            let value = pixel.point.map_or(Vec3::ZERO, |point| estimate.get(point));
+            let value = pixel.taps.map_or(Vec3::ZERO, |taps| taps.of(estimate));
             value * pixel.throughput
         })
     }
@@ -169,7 +230,7 @@ impl View {
 
     /// Whether each pixel sees a shaded surface.
     pub fn surfaces(&self) -> Vec<bool> {
-        self.pixels.iter().map(|p| p.point.is_some()).collect()
+        self.pixels.iter().map(|p| p.taps.is_some()).collect()
     }
 
     fn pixels(&self, value: impl Fn(&Pixel) -> Vec3) -> HdrImage {
@@ -182,9 +243,38 @@ impl View {
     }
 }
 
+fn check_size(width: u32, height: u32) -> Result<(), HarnessError> {
+    match u64::from(width) * u64::from(height) > MAX_PIXELS {
+        true => Err(HarnessError::Usage(format!(
+            "an image of {width} × {height} pixels is too large: use {MAX_PIXELS} at most, or \
+             fewer points"
+        ))),
+        false => Ok(()),
+    }
+}
+
+/// The rays through the pixels of a window, row by row.
+fn traced(
+    scene: &CpuScene,
+    camera: &Camera,
+    [x0, y0, x1, y1]: [u32; 4],
+    only_receivers: bool,
+) -> Vec<Traced> {
+    let (width, height) = (x1 - x0, y1 - y0);
+    (0..width as usize * height as usize)
+        .into_par_iter()
+        .map(|i| {
+            let (x, y) = (x0 + i as u32 % width, y0 + i as u32 / width);
+            let direction = camera.ray(x as f32 + 0.5, y as f32 + 0.5);
+            Traced::new(scene, camera.eye.as_dvec3(), direction, only_receivers)
+        })
+        .collect()
+}
+
 /// What the ray through a pixel's centre met.
 struct Traced {
     point: Option<Point>,
+    hit: Option<SurfaceHit>,
     throughput: Vec3,
     direct: Vec3,
 }
@@ -193,6 +283,7 @@ impl Traced {
     fn new(scene: &CpuScene, mut origin: DVec3, mut direction: Vec3, only_receivers: bool) -> Self {
         let mut traced = Self {
             point: None,
+            hit: None,
             throughput: Vec3::ONE,
             direct: Vec3::ZERO,
         };
@@ -215,10 +306,19 @@ impl Traced {
             traced.direct = traced.throughput * captured_radiance(scene, geometry, &hit, None);
             if !only_receivers || hit.role == Role::Receiver {
                 traced.point = Some(shaded(&hit, direction));
+                traced.hit = Some(hit);
             }
             break;
         }
         traced
+    }
+
+    fn pixel(&self, taps: Option<Taps>) -> Pixel {
+        Pixel {
+            taps,
+            throughput: self.throughput,
+            direct: self.direct,
+        }
     }
 }
 

@@ -17,10 +17,8 @@ use rayon::prelude::*;
 /// Visibility and light, kept across frames.
 #[derive(Default)]
 pub struct State {
-    pub(super) progress: Progress,
-    /// A bit for each direction, a word for each 32 directions and point: word after word, points
-    /// padded to whole blocks.
-    pub(super) bits: Vec<u32>,
+    progress: Progress,
+    bits: Vec<u32>,
     light: Option<Light>,
     blurred: Option<Blurred>,
 }
@@ -29,6 +27,19 @@ pub struct State {
 struct Light {
     towards: Vec<Vec3>,
     values: Vec<[f32; 3]>,
+}
+
+impl State {
+    /// A bit for each direction, a word for each 32 directions and point: word after word, points
+    /// padded to whole blocks.
+    pub fn bits(&self) -> &[u32] {
+        &self.bits
+    }
+
+    /// Points that were evaluated since the start, repetitions counted.
+    pub fn evaluations(&self) -> u64 {
+        self.progress.todo.evaluations
+    }
 }
 
 impl Estimator<Cpu> for DirectionalAo {

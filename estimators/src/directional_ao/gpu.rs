@@ -44,6 +44,24 @@ pub struct State {
     shade: Option<Kernel>,
 }
 
+impl State {
+    /// As on the CPU, read back; empty before the first frame.
+    ///
+    /// # Errors
+    /// [`EstimatorError`] if the device fails.
+    pub fn bits(&self, context: &GpuContext) -> Result<Vec<u32>, EstimatorError> {
+        match &self.bits {
+            Some(bits) => Ok(context.read_buffer(bits)?),
+            None => Ok(Vec::new()),
+        }
+    }
+
+    /// Points that were evaluated since the start, repetitions counted.
+    pub fn evaluations(&self) -> u64 {
+        self.progress.todo.evaluations
+    }
+}
+
 /// As `Batch` in visibility.wgsl.
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
@@ -245,4 +263,33 @@ fn check_queries(
          queries, and beyond {MAX_QUERIES} a driver answers too slowly; use visibility=depth_map, a \
          lower level or fewer points"
     ))))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::math::DEPTH_ROUNDING;
+    use super::{Batch, Direction, Light, MAX_DIRECTIONS, SHADE, VISIBILITY};
+    use crate::layout::{assert_layout, constant, constant_u32, module};
+
+    #[test]
+    fn structs_and_constants_are_the_same() {
+        assert_layout!(VISIBILITY, Batch, [first, count, word, todo, margin]);
+        let direction = crate::layout::layout(&module(&SHADE), "Direction");
+        let offsets = [
+            ("towards", 0),
+            ("value", std::mem::offset_of!(Direction, value)),
+        ];
+        let offsets = offsets.map(|(name, offset)| (name.to_owned(), offset));
+        assert_eq!(direction, (size_of::<Direction>(), offsets.to_vec()));
+        let light = crate::layout::layout(&module(&SHADE), "Light");
+        let at = light.1.iter().find(|m| m.0 == "directions").map(|m| m.1);
+        assert_eq!(light.0, size_of::<Light>());
+        assert_eq!(at, Some(std::mem::offset_of!(Light, directions)));
+        let shade = module(&SHADE);
+        assert_eq!(
+            constant_u32(&shade, "MAX_DIRECTIONS") as usize,
+            MAX_DIRECTIONS
+        );
+        assert_eq!(constant(&shade, "DEPTH_ROUNDING"), DEPTH_ROUNDING);
+    }
 }

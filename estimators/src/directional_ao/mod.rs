@@ -10,8 +10,6 @@ pub mod math;
 mod params;
 mod progress;
 mod sphere;
-#[cfg(test)]
-mod tests;
 mod todo;
 
 use crate::{Info, Method, OwnModel, Quantity, Unsupported};
@@ -21,8 +19,10 @@ use interreflect_scene::params::Fidelity;
 use interreflect_scene::{DirectionalDepthSpec, Environment, Needs, SceneFacts};
 use std::f64::consts::{FRAC_1_PI, PI};
 
+pub use cpu::State as CpuState;
+pub use gpu::State as GpuState;
 pub use params::{Bias, DirectionalAoParams, Visibility};
-pub use sphere::{DIRECTIONS, MAX_LEVEL};
+pub use sphere::{DIRECTIONS, MAX_LEVEL, directions};
 
 /// The method.
 pub struct DirectionalAo;

@@ -45,7 +45,7 @@ static SPHERE: LazyLock<Sphere> = LazyLock::new(|| {
 });
 
 /// Unit directions of a level, those of lower levels first.
-pub(super) fn directions(level: u32) -> Vec<Vec3> {
+pub fn directions(level: u32) -> Vec<Vec3> {
     let count = DIRECTIONS[level as usize] as usize;
     let directions = SPHERE.directions[..count].iter();
     directions.map(|d| d.as_vec3()).collect()

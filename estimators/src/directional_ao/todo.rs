@@ -25,12 +25,6 @@ impl Todo {
         self.unseen = None;
     }
 
-    /// Whether point `i` was evaluated.
-    #[cfg(test)]
-    pub(super) fn evaluated(&self, i: usize) -> bool {
-        self.evaluated.get(i).copied().unwrap_or(false)
-    }
-
     /// The points that were evaluated before this frame, in order.
     pub(super) fn done(&self) -> Vec<u32> {
         let points = (0..).zip(&self.evaluated);

@@ -3,7 +3,7 @@
 
 use crate::subjects::{SUBJECTS, Subject, same_bits};
 use crate::world::{
-    Outcome, Variant, captures, cpu_stage, estimate, gpu_stage, on_gpu, run, variants,
+    Outcome, Variant, captures, cpu_stage, estimate, gpu_stage, ignored, on_gpu, run, variants,
 };
 use interreflect::stage::{CpuStage, Stage};
 use interreflect_cpu::tiles::{CpuCx, InstructionSet};
@@ -18,11 +18,15 @@ pub(crate) fn trials() -> Vec<Trial> {
         for subject in &SUBJECTS[2..4] {
             let name = format!("bits/{}/{}", subject.name, variant.name());
             let one = variant.copy();
+            if let Some(why) = one.unsupported(subject) {
+                trials.push(ignored(name, &why));
+                continue;
+            }
             trials.push(Trial::test(format!("{name}/cpu"), move || {
                 threads_and_instructions(subject, &one)?;
                 prepared_again(&cpu_stage(subject), subject, &one)
             }));
-            if variant.gpu().is_ok() {
+            if variant.unsupported_on_gpu(subject).is_none() {
                 let one = variant.copy();
                 trials.push(on_gpu(format!("{name}/gpu"), move |context| {
                     let stage = gpu_stage(context, subject)?;

@@ -11,6 +11,7 @@ mod errata;
 mod form_factors;
 mod moved;
 mod needs;
+mod openness;
 mod parity;
 mod path_reference;
 mod room;
@@ -19,6 +20,7 @@ mod room_ties;
 mod shaders;
 mod subjects;
 mod twins;
+mod visibility;
 mod world;
 
 use libtest_mimic::{Arguments, Trial};
@@ -37,6 +39,8 @@ fn main() {
         errata::trials(),
         form_factors::trials(),
         environment_maps::trials(),
+        openness::trials(),
+        visibility::trials(),
         path_reference::trials(),
         room::trials(),
         room_ties::trials(),

@@ -3,7 +3,7 @@
 use crate::ensure;
 use crate::subjects::{SUBJECTS, Subject, same_bits};
 use crate::world::{
-    Outcome, Variant, captures, cpu_stage, estimate, gpu_stage, on_gpu, run, variants,
+    Outcome, Variant, captures, cpu_stage, estimate, gpu_stage, ignored, on_gpu, run, variants,
 };
 use glam::Vec3;
 use interreflect::measure::measure;
@@ -22,13 +22,17 @@ pub(crate) fn trials() -> Vec<Trial> {
     for variant in variants(32) {
         let name = format!("moved/{}", variant.name());
         let one = variant.copy();
+        if let Some(why) = one.unsupported(&SUBJECTS[0]) {
+            trials.push(ignored(name, &why));
+            continue;
+        }
         trials.push(Trial::test(format!("{name}/cpu"), move || {
             let subject = &SUBJECTS[0];
             points_move(&cpu_stage(subject), subject, &one)?;
             kept_or_not(&one, |s| Ok(cpu_stage(s)))?;
             shared(&one, |s| Ok(cpu_stage(s)))
         }));
-        if variant.gpu().is_ok() {
+        if variant.unsupported_on_gpu(&SUBJECTS[0]).is_none() {
             trials.push(on_gpu(format!("{name}/gpu"), move |context| {
                 let subject = &SUBJECTS[0];
                 points_move(&gpu_stage(context, subject)?, subject, &variant)?;

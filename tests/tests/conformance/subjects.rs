@@ -45,6 +45,11 @@ impl Subject {
         subject
     }
 
+    /// Other points in the same scene.
+    pub(crate) fn set_points(&mut self, points: Vec<Option<Point>>) {
+        self.points = points;
+    }
+
     /// Another scene at the same points.
     pub(crate) fn with_scene(&self, cpu: Arc<CpuScene>) -> Self {
         Self {

@@ -3,7 +3,9 @@
 use crate::subjects::Subject;
 use interreflect::stage::{CpuStage, GpuStage, Placed, Stage};
 use interreflect_cpu::tiles::CpuCx;
-use interreflect_estimators::{Captures, Changed, Configured, Inputs, Quantity, Registry};
+use interreflect_estimators::{
+    Captures, Changed, Configured, Inputs, Quantity, Registry, Unsupported,
+};
 use interreflect_gpu::{GpuContext, GpuError, GpuScene};
 use interreflect_scene::params::{Domain, FIDELITY};
 use interreflect_scene::{Estimate, Points, SceneFacts};
@@ -64,6 +66,25 @@ impl Variant {
         entry.map_err(|_| "not registered")?.gpu()
     }
 
+    /// Why it can't run in a scene on the CPU, if it can't: a result, which trials show.
+    pub(crate) fn unsupported(&self, subject: &Subject) -> Option<String> {
+        let facts = subject.cpu.scene().facts();
+        let needs = self.method.needs(self.quantity, &facts).map(drop);
+        let opened = needs.and_then(|()| self.method.on_cpu().map(drop));
+        opened.err().map(|why| why.to_string())
+    }
+
+    /// Why it can't run in a scene on the device, if there is one and it can't.
+    pub(crate) fn unsupported_on_gpu(&self, subject: &Subject) -> Option<String> {
+        let facts = subject.cpu.scene().facts();
+        let needs = self.method.needs(self.quantity, &facts).map(drop);
+        let opened = needs.and_then(|()| match &*GPU {
+            Ok(context) => self.method.on_gpu(context).map(drop),
+            Err(_) => self.gpu().map_err(|why| Unsupported(why.into())),
+        });
+        opened.err().map(|why| why.to_string())
+    }
+
     pub(crate) fn copy(&self) -> Self {
         Self {
             method: self.method.boxed_clone(),
@@ -82,7 +103,9 @@ pub(crate) fn variants(captured: u32) -> Vec<Variant> {
         // convolve need not fill large maps.
         method.set("capture_resolution", &captured.to_string()).ok();
         method.set("samples", "64").ok();
-        method.set("map_resolution", "8").ok();
+        let convolves = method.values().iter().any(|(f, _)| f.name == "resolution");
+        let map = if convolves { 8 } else { captured };
+        method.set("map_resolution", &map.to_string()).ok();
         for method in method.in_each_fidelity() {
             variants.extend(method.quantities().iter().map(|&quantity| Variant {
                 method: method.boxed_clone(),

@@ -3,6 +3,7 @@
 mod classic_envmap;
 mod constant_ambient;
 mod convolution;
+mod directional_ao;
 mod localized_cubemap;
 mod point_form_factor;
 mod polygon_form_factor;
@@ -85,6 +86,7 @@ pub(super) fn twins() -> impl Iterator<Item = &'static Twin> {
         constant_ambient::TWINS,
         classic_envmap::TWINS,
         convolution::TWINS,
+        directional_ao::TWINS,
         reflection::TWINS,
         localized_cubemap::TWINS,
         point_form_factor::TWINS,

@@ -1,0 +1,78 @@
+//! The vertices of what is shaded, as points.
+
+use glam::Vec3;
+use interreflect_scene::{Mesh, Point, Role, Scene, SurfaceMaterial};
+
+/// Vertices and the triangles between them.
+pub(super) struct Vertices {
+    /// One for each vertex; for each corner of a triangle where a mesh has no vertex normals. None
+    /// where no triangle with an area is.
+    pub(super) points: Vec<Option<Point>>,
+    /// The points at each triangle's corners.
+    pub(super) triangles: Vec<[u32; 3]>,
+    /// For each object, its first triangle.
+    pub(super) first_triangle: Vec<u32>,
+}
+
+impl Vertices {
+    /// The vertices of receivers, or of all objects, seen from `eye`. A vertex has the material of
+    /// the first triangle that it is a corner of.
+    pub(super) fn new(scene: &Scene, eye: Vec3, only_receivers: bool) -> Self {
+        let mut all = Self {
+            points: Vec::new(),
+            triangles: Vec::new(),
+            first_triangle: Vec::new(),
+        };
+        for object in &scene.objects {
+            all.first_triangle.push(all.triangles.len() as u32);
+            if !only_receivers || object.role == Role::Receiver {
+                all.add(scene, &object.mesh, eye);
+            }
+        }
+        all
+    }
+
+    fn add(&mut self, scene: &Scene, mesh: &Mesh, eye: Vec3) {
+        let first = self.points.len() as u32;
+        let shared = !mesh.normals.is_empty();
+        if shared {
+            self.points
+                .resize(self.points.len() + mesh.positions.len(), None);
+        }
+        for (t, corners) in mesh.triangles.iter().enumerate() {
+            let material = &scene.materials[mesh.materials[t] as usize];
+            let flat = mesh.normal(t);
+            let points = corners.map(|v| {
+                let position = mesh.positions[v as usize];
+                let normal = match shared {
+                    true => mesh.normals[v as usize],
+                    false => flat,
+                };
+                (normal != Vec3::ZERO).then(|| Point {
+                    position,
+                    normal,
+                    view: (eye - position).normalize_or(normal),
+                    material: SurfaceMaterial {
+                        diffuse: material.albedo,
+                        specular: material.specular,
+                        shininess: material.shininess,
+                    },
+                    footprint: 0.0,
+                })
+            });
+            let indices = match shared {
+                true => corners.map(|v| first + v),
+                false => {
+                    let next = self.points.len() as u32;
+                    self.points.extend([None; 3]);
+                    [next, next + 1, next + 2]
+                }
+            };
+            for (i, point) in indices.into_iter().zip(points) {
+                let place = &mut self.points[i as usize];
+                *place = place.or(point);
+            }
+            self.triangles.push(indices);
+        }
+    }
+}

@@ -1,0 +1,366 @@
+//! Visibility: depth maps, occlusion queries and rays against each other, refined, and only where it
+//! is about to be seen.
+
+use crate::ensure;
+use crate::subjects::{SUBJECTS, Subject, same_bits};
+use crate::world::{CPU, Outcome, configured, cpu_stage, gpu_stage, ignored, on_gpu};
+use glam::Quat;
+use interreflect::stage::{Placed, Stage};
+use interreflect::view::View;
+use interreflect_cpu::scene::CpuScene;
+use interreflect_estimators::directional_ao::{
+    Bias, CpuState, DIRECTIONS, DirectionalAo, DirectionalAoParams, GpuState, Visibility,
+};
+use interreflect_estimators::{Changed, Cpu, Estimator, Gpu, Inputs, Method, Quantity, Session};
+use interreflect_gpu::GpuContext;
+use interreflect_scene::{Camera, Estimate, LANES, PointLayout, Points, SceneRequest, open};
+use libtest_mimic::{Failed, Trial};
+use std::path::PathBuf;
+use std::sync::Arc;
+
+const AO: Quantity = Quantity::AmbientOcclusion;
+
+pub(crate) fn trials() -> Vec<Trial> {
+    let mut trials = Vec::new();
+    for model in ["bunny", "dragon"] {
+        let name = format!("visibility/ways_agree/{model}");
+        let file = PathBuf::from(concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/../../shared/assets/meshes"
+        ))
+        .join(format!("{model}.obj"));
+        trials.push(match file.exists() {
+            true => on_gpu(name, move |context| ways_agree(context, &file)),
+            false => ignored(name, "the model is not there"),
+        });
+    }
+    let (refined, filtered) = ("visibility/refinement", "visibility/filtering");
+    trials.extend([
+        Trial::test(format!("{refined}/cpu"), || {
+            refinement(&cpu_stage(studio()))
+        }),
+        on_gpu(format!("{refined}/gpu"), |c| {
+            refinement(&gpu_stage(c, studio())?)
+        }),
+        Trial::test(format!("{filtered}/cpu"), || {
+            filtering(&cpu_stage(studio()))
+        }),
+        on_gpu(format!("{filtered}/gpu"), |c| {
+            filtering(&gpu_stage(c, studio())?)
+        }),
+        Trial::test("visibility/evaluations", evaluations),
+    ]);
+    trials
+}
+
+fn studio() -> &'static Subject {
+    &SUBJECTS[2]
+}
+
+/// Bits of the directions of a level at points with a normal towards them.
+struct Seen<'a> {
+    points: &'a Points,
+    level: usize,
+}
+
+impl Seen<'_> {
+    /// How many of the open half-spheres' directions two ways find different, how many of these graze
+    /// (the cosine is below a tenth), and how many there are.
+    fn apart(&self, a: &[u32], b: &[u32]) -> [usize; 3] {
+        let stride = self.points.block_count() * LANES;
+        let directions = interreflect_estimators::directional_ao::directions(self.level as u32);
+        let (mut apart, mut grazing, mut all) = (0, 0, 0);
+        for (i, point) in self.points.iter().enumerate() {
+            let Some(point) = point else { continue };
+            for (j, towards) in directions.iter().enumerate() {
+                let cosine = point.normal.dot(*towards);
+                if cosine <= 0.0 {
+                    continue;
+                }
+                let bit = |bits: &[u32]| bits[j / 32 * stride + i] >> (j % 32) & 1;
+                all += 1;
+                if bit(a) != bit(b) {
+                    apart += 1;
+                    grazing += usize::from(cosine < 0.1);
+                }
+            }
+        }
+        [apart, grazing, all]
+    }
+}
+
+/// On the vertices of a model, in 18 directions: occlusion queries and depth maps decide alike but
+/// where a drawn point, snapped to a 256th of a texel, falls into the next one, and both as rays do but where a texel is too
+/// coarse: along silhouettes and in grazing light.
+fn ways_agree(context: &Arc<GpuContext>, file: &std::path::Path) -> Outcome {
+    let scene = open(&SceneRequest {
+        receiver: Some(file.to_string_lossy().into_owned()),
+        ..SceneRequest::new("studio")
+    })?;
+    let level = 1;
+    let mut subject = Subject::new("model", &scene, Vec::new());
+    let view = View::at_vertices(&subject.cpu, &small(scene.camera))?;
+    // Every fourth vertex: queries are slow.
+    let vertices = view.points(PointLayout::Surface);
+    subject.set_points(vertices.iter().step_by(4).collect());
+    let points = subject.points(PointLayout::Surface);
+    let bits_by = |visibility, gpu: bool| {
+        let params = DirectionalAoParams {
+            level: level as u32,
+            visibility,
+            map_resolution: 1024,
+            bias: Bias::PolygonOffset,
+            ..DirectionalAoParams::default()
+        };
+        match gpu {
+            false => cpu_bits(&subject, &points, &params),
+            true => gpu_bits(context, &subject, &points, &params),
+        }
+    };
+    let seen = Seen {
+        points: &points,
+        level,
+    };
+    let rays = bits_by(Visibility::Rays, false)?;
+    let maps = bits_by(Visibility::DepthMap, false)?;
+    let gpu_maps = bits_by(Visibility::DepthMap, true)?;
+    let queries = bits_by(Visibility::Queries, true)?;
+    let count = DIRECTIONS[level];
+    println!("{} points, {count} directions", points.len());
+    for (name, a, b, apart_max, blunt_max) in [
+        ("CPU and GPU depth maps", &maps, &gpu_maps, 2e-3, 1e-3),
+        (
+            "GPU depth maps and queries",
+            &gpu_maps,
+            &queries,
+            1e-3,
+            1e-3,
+        ),
+        ("depth maps and rays", &maps, &rays, 3e-2, 1.5e-2),
+    ] {
+        let [apart, grazing, all] = seen.apart(a, b);
+        println!("{name}: {apart} of {all} apart, {grazing} of them grazing");
+        let share = |n: usize| n as f64 / all as f64;
+        ensure!(
+            share(apart) < apart_max && share(apart - grazing) < blunt_max,
+            "{name}: {apart} of {all} apart, {grazing} of them grazing"
+        );
+    }
+    Ok(())
+}
+
+fn small(camera: Camera) -> Camera {
+    Camera {
+        resolution: [64, 64],
+        ..camera
+    }
+}
+
+fn cpu_bits(
+    subject: &Subject,
+    points: &Points,
+    params: &DirectionalAoParams,
+) -> Result<Vec<u32>, Failed> {
+    let stage = cpu_stage(subject);
+    let (facts, mut state) = (subject.cpu.scene().facts(), CpuState::default());
+    let needs = DirectionalAo::needs(params, AO, &facts)?;
+    let captures = stage.capture(&needs)?.0;
+    let origin = (facts, subject.cpu.scene().reference_point);
+    let inputs = Inputs::<Cpu>::new(&needs, &captures, points, points, origin, Changed::ALL);
+    let out = Estimate::new(points.len());
+    <DirectionalAo as Estimator<Cpu>>::prepare(params, &mut state, &mut &*CPU, AO, &inputs, &out)?;
+    Ok(state.bits().to_vec())
+}
+
+fn gpu_bits(
+    context: &Arc<GpuContext>,
+    subject: &Subject,
+    points: &Points,
+    params: &DirectionalAoParams,
+) -> Result<Vec<u32>, Failed> {
+    let stage = gpu_stage(context, subject)?;
+    let (facts, mut state) = (subject.cpu.scene().facts(), GpuState::default());
+    let needs = DirectionalAo::needs(params, AO, &facts)?;
+    let captures = stage.capture(&needs)?.0;
+    let placed = stage.place(points)?;
+    let origin = (facts, subject.cpu.scene().reference_point);
+    let inputs = Inputs::<Gpu>::new(
+        &needs,
+        &captures,
+        &placed.points,
+        points,
+        origin,
+        Changed::ALL,
+    );
+    stage.timed("prepare", &mut |cx| {
+        <DirectionalAo as Estimator<Gpu>>::prepare(params, &mut state, cx, AO, &inputs, &placed.out)
+    })?;
+    Ok(state.bits(context)?)
+}
+
+/// Frames of a session of one method: what changed, and what the camera sees.
+fn frames<'v, S: Stage>(
+    stage: &S,
+    settings: &[(&str, &str)],
+    points: &Points,
+    frames: impl IntoIterator<Item = (Changed, Option<&'v View>)>,
+) -> Result<Vec<Estimate>, Failed> {
+    let variant = configured("directional_ao", AO, settings)?;
+    let scene = studio().cpu.scene();
+    let needs = variant.method.needs(AO, &scene.facts())?;
+    let captures = stage.capture(&needs)?.0;
+    let mut session: Box<dyn Session<S::Backend>> = stage.open(&*variant.method)?;
+    let Placed {
+        points: placed,
+        mut out,
+    } = stage.place(points)?;
+    let origin = (scene.facts(), scene.reference_point);
+    let mut estimates = Vec::new();
+    for (changed, view) in frames {
+        let mut inputs = Inputs::new(&needs, &captures, &placed, points, origin, changed);
+        inputs.seen = view.and_then(View::seen);
+        stage.timed("prepare", &mut |cx| session.prepare(cx, AO, &inputs, &out))?;
+        stage.timed("shade", &mut |cx| session.shade(cx, AO, &inputs, &mut out))?;
+        estimates.push(stage.read_back(&out)?.0);
+    }
+    Ok(estimates)
+}
+
+/// After the surfaces come to rest the level rises by one a frame, and gives bit for bit what a fresh
+/// evaluation at that level gives. A changed environment changes nothing here.
+fn refinement<S: Stage>(stage: &S) -> Outcome {
+    let points = studio().points(PointLayout::Surface);
+    let settings = |level| {
+        [
+            ("level", level),
+            ("moving_level", "0"),
+            ("fidelity", "corrected"),
+        ]
+    };
+    let moved = Changed::SCENE | Changed::POINTS;
+    let rest = [Changed::NOTHING, Changed::ENVIRONMENT, Changed::NOTHING];
+    let all = [Changed::ALL, moved].into_iter().chain(rest);
+    let refined = frames(stage, &settings("3"), &points, all.map(|c| (c, None)))?;
+    for (frame, level) in [(1, "0"), (2, "1"), (3, "2"), (4, "3")] {
+        let fresh = frames(stage, &settings(level), &points, [(Changed::ALL, None)])?;
+        same_bits(&fresh[0], refined[frame].iter())
+            .map_err(|e| format!("frame {frame}, level {level}: {e}"))?;
+    }
+    Ok(())
+}
+
+/// A camera that goes around: each frame has at the vertices of visible triangles what an evaluation
+/// of all vertices gives.
+fn filtering<S: Stage>(stage: &S) -> Outcome {
+    let views = orbit()?;
+    let points = views[0].points(PointLayout::Surface);
+    let settings = |filter| {
+        [
+            ("level", "1"),
+            ("map_resolution", "128"),
+            ("filter", filter),
+        ]
+    };
+    let changed = |i: usize| {
+        if i == 0 {
+            Changed::ALL
+        } else {
+            Changed::NOTHING
+        }
+    };
+    let sequence = || {
+        views
+            .iter()
+            .enumerate()
+            .map(|(i, view)| (changed(i), Some(view)))
+    };
+    let all = frames(stage, &settings("false"), &points, sequence())?;
+    let filtered = frames(stage, &settings("true"), &points, sequence())?;
+    for (i, view) in views.iter().enumerate() {
+        let (a, b) = (view.image(&all[i]), view.image(&filtered[i]));
+        ensure!(a.pixels == b.pixels, "frame {i} has other visible vertices");
+    }
+    ensure!(
+        filtered[0].iter().zip(all[0].iter()).any(|(a, b)| a != b),
+        "vertices at the back were evaluated in the first frame too"
+    );
+    Ok(())
+}
+
+/// Six views of the studio's receiver, 15° apart.
+fn orbit() -> Result<Vec<View>, Failed> {
+    let scene: &CpuScene = &studio().cpu;
+    let camera = scene.scene().camera;
+    let views = (0..6).map(|i| {
+        let turn = Quat::from_rotation_y((15.0 * i as f32).to_radians());
+        let eye = camera.target + turn * (camera.eye - camera.target);
+        let camera = small(Camera { eye, ..camera });
+        CPU.install(|| View::at_vertices(scene, &camera))
+    });
+    Ok(views.collect::<Result<_, _>>()?)
+}
+
+/// With the lists no vertex is evaluated twice, only those are that were seen, and a camera that goes
+/// a quarter around leaves some untouched; without them all are evaluated in the first frame.
+fn evaluations() -> Outcome {
+    let (views, stage) = (orbit()?, cpu_stage(studio()));
+    let scene = studio().cpu.scene();
+    let points = views[0].points(PointLayout::Surface);
+    let mut seen: Vec<bool> = vec![false; points.len()];
+    let mut counts = [Vec::new(), Vec::new()];
+    for (filter, counts) in [false, true].into_iter().zip(&mut counts) {
+        let params = DirectionalAoParams {
+            level: 0,
+            map_resolution: 64,
+            filter,
+            ..DirectionalAoParams::default()
+        };
+        let needs = DirectionalAo::needs(&params, AO, &scene.facts())?;
+        let captures = stage.capture(&needs)?.0;
+        let (mut state, out) = (CpuState::default(), Estimate::new(points.len()));
+        let origin = (scene.facts(), scene.reference_point);
+        for (i, view) in views.iter().enumerate() {
+            let changed = if i == 0 {
+                Changed::ALL
+            } else {
+                Changed::NOTHING
+            };
+            let mut inputs =
+                Inputs::<Cpu>::new(&needs, &captures, &points, &points, origin, changed);
+            inputs.seen = view.seen();
+            let cx = &mut &*CPU;
+            <DirectionalAo as Estimator<Cpu>>::prepare(&params, &mut state, cx, AO, &inputs, &out)?;
+            counts.push(state.evaluations());
+        }
+    }
+    let mut expected = Vec::new();
+    for view in &views {
+        let visible = view.seen().ok_or("no vertices")?;
+        for &triangle in visible.visible {
+            visible.triangles[triangle as usize]
+                .iter()
+                .for_each(|&v| seen[v as usize] = true);
+        }
+        expected.push(seen.iter().filter(|s| **s).count() as u64);
+    }
+    let all = points.len() as u64;
+    println!(
+        "evaluated of {all}: {:?} without lists, {:?} with them",
+        counts[0], counts[1]
+    );
+    ensure!(
+        counts[0] == vec![all; views.len()],
+        "without lists: {:?}",
+        counts[0]
+    );
+    ensure!(
+        counts[1] == expected,
+        "with lists: {:?}, seen: {expected:?}",
+        counts[1]
+    );
+    ensure!(
+        expected[0] < all / 2 && *expected.last().unwrap_or(&0) < all,
+        "nothing to save"
+    );
+    Ok(())
+}
