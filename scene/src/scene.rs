@@ -1,5 +1,6 @@
 //! A whole scene.
 
+use crate::motion::{Motion, SceneMotion};
 use crate::{Camera, Environment, Light, Material, Mesh, SceneFacts};
 use glam::Vec3;
 
@@ -20,8 +21,10 @@ pub struct Object {
     pub name: String,
     /// What the mesh is for.
     pub role: Role,
-    /// The mesh, in world space.
+    /// The mesh, in world space, at rest.
     pub mesh: Mesh,
+    /// How it moves; `None` if it stands still.
+    pub motion: Option<Motion>,
 }
 
 /// A scene in world space, checked when it was loaded: every index in range, every number finite.
@@ -44,6 +47,8 @@ pub struct Scene {
     /// Where captures were made before and are still there: a reference point that the receivers have
     /// moved away from. `None` if there are none.
     pub captured_at: Option<Vec3>,
+    /// How camera, lights and environment move; meshes have motions of their own.
+    pub motion: SceneMotion,
 }
 
 impl Scene {

@@ -1,14 +1,14 @@
 //! What every scene promises: indices in range, finite numbers, unit normals.
 
-use crate::{Camera, Environment, Light, Material, Mesh, Role, Scene, SceneError};
+use crate::{Camera, Environment, Light, Material, Mesh, Object, Role, Scene, SceneError, motion};
 use glam::Vec3;
 
 /// Largest distance of a stored normal's length from 1: a few roundings of f32.
 const UNIT_TOLERANCE: f32 = 1e-4;
 /// Largest coordinate in metres: areas of boxes must not overflow f32.
-const LARGEST_COORDINATE: f32 = 1e15;
+pub(crate) const LARGEST_COORDINATE: f32 = 1e15;
 /// Smallest extent of a scene in metres: ray queries would take less for rounding.
-const SMALLEST_EXTENT: f32 = 1e-8;
+pub(crate) const SMALLEST_EXTENT: f32 = 1e-8;
 /// Largest radiance, intensity, irradiance and flux: sums over many must stay finite in f32.
 pub(crate) const LARGEST_POWER: f32 = 1e30;
 
@@ -71,7 +71,24 @@ impl Scene {
                 "use coordinates within ±1e15 m",
             ));
         }
-        Ok(())
+        self.check_motion()
+    }
+
+    /// Checks that the scene stays sound at every time.
+    fn check_motion(&self) -> Result<(), SceneError> {
+        let of_object = |o: &Object| {
+            let fault = motion::mesh_fault(&o.mesh, o.motion.as_ref()?)?;
+            Some(format!("object `{}`: {fault}", o.name))
+        };
+        let of_objects = self.objects.iter().find_map(of_object);
+        match of_objects.or_else(|| motion::scene_fault(self)) {
+            None => Ok(()),
+            Some(what) => Err(SceneError::Inconsistent {
+                scene: self.name.clone(),
+                what,
+                remedy: "mend the motion, for example with other keyframes".into(),
+            }),
+        }
     }
 
     /// What is wrong with the size of the surroundings or of the receivers.
@@ -97,8 +114,13 @@ impl Scene {
     }
 }
 
+/// Whether a vector's length is 1 but for rounding.
+pub(crate) fn is_unit(v: Vec3) -> bool {
+    (v.length() - 1.0).abs() < UNIT_TOLERANCE
+}
+
 /// Whether a point is at finite coordinates that ray queries can take.
-fn is_near(point: Vec3) -> bool {
+pub(crate) fn is_near(point: Vec3) -> bool {
     point.is_finite() && point.abs().max_element() <= LARGEST_COORDINATE
 }
 
@@ -164,8 +186,7 @@ fn mesh_fault(mesh: &Mesh, materials: usize) -> Result<(), String> {
             mesh.normals.len()
         ));
     }
-    let is_unit = |n: &Vec3| (n.length() - 1.0).abs() < UNIT_TOLERANCE;
-    if let Some(v) = mesh.normals.iter().position(|n| !is_unit(n)) {
+    if let Some(v) = mesh.normals.iter().position(|n| !is_unit(*n)) {
         return Err(format!("normal {v} is {}", mesh.normals[v]));
     }
     if mesh.materials.len() != mesh.triangles.len() {
@@ -210,7 +231,7 @@ pub(crate) fn is_power(v: Vec3) -> bool {
 }
 
 fn is_sound(light: &Light) -> bool {
-    let unit = |v: Vec3| (v.length() - 1.0).abs() < UNIT_TOLERANCE;
+    let unit = is_unit;
     match *light {
         Light::Point {
             position,

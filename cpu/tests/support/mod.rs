@@ -7,6 +7,7 @@ use glam::Vec3;
 use interreflect_cpu::scene::CpuScene;
 use interreflect_scene::{
     Camera, Environment, Light, Material, Mesh, Object, Point, PointLayout, Points, Role, Scene,
+    SceneMotion,
 };
 
 /// A scene without lights or environment.
@@ -26,6 +27,7 @@ pub(crate) fn scene(objects: Vec<Object>, materials: Vec<Material>) -> Scene {
         },
         reference_point: Vec3::ZERO,
         captured_at: None,
+        motion: SceneMotion::default(),
     }
 }
 
@@ -44,6 +46,7 @@ pub(crate) fn object(role: Role, mesh: Mesh) -> Object {
         name: "mesh".into(),
         role,
         mesh,
+        motion: None,
     }
 }
 

@@ -2,7 +2,8 @@
 
 use glam::{DVec3, Vec3};
 use interreflect_scene::{
-    Camera, CubeChannels, CubeSpec, Light, Material, Mesh, Object, Role, Scene, conventions,
+    Camera, CubeChannels, CubeSpec, Light, Material, Mesh, Object, Role, Scene, SceneMotion,
+    conventions,
 };
 
 /// All channels at a size.
@@ -35,6 +36,7 @@ pub(crate) fn empty(reference_point: Vec3) -> Scene {
         },
         reference_point,
         captured_at: None,
+        motion: SceneMotion::default(),
     }
 }
 
@@ -51,6 +53,7 @@ pub(crate) fn add_quad(scene: &mut Scene, corners: [Vec3; 4], material: Material
             triangles: vec![[0, 1, 2], [0, 2, 3]],
             materials: vec![index; 2],
         },
+        motion: None,
     });
 }
 

@@ -1,6 +1,6 @@
 //! Parts on the way to a scene.
 
-use crate::{Material, Mesh, Object, Role};
+use crate::{Material, Mesh, Motion, Object, Role};
 use glam::{Quat, Vec3};
 
 /// A mesh with materials of its own: what a mesh file, a shape or a receiver gives.
@@ -60,8 +60,19 @@ pub(crate) struct Parts {
 }
 
 impl Parts {
-    /// Adds a model as an object.
+    /// Adds a model as an object that stands still.
     pub(crate) fn add(&mut self, name: impl Into<String>, role: Role, model: Model) {
+        self.add_moving(name, role, model, None);
+    }
+
+    /// Adds a model as an object.
+    pub(crate) fn add_moving(
+        &mut self,
+        name: impl Into<String>,
+        role: Role,
+        model: Model,
+        motion: Option<Motion>,
+    ) {
         let Model {
             mut mesh,
             materials,
@@ -73,6 +84,7 @@ impl Parts {
             name: name.into(),
             role,
             mesh,
+            motion,
         });
     }
 

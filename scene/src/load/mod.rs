@@ -16,7 +16,7 @@ pub use file::FileSettings;
 pub use image::load as open_image;
 pub use points::open_points;
 
-use crate::{Camera, Environment, Light, Place, Scene, SceneError, library, params};
+use crate::{Camera, Environment, Light, Place, Scene, SceneError, SceneMotion, library, params};
 use build::Parts;
 use glam::Vec3;
 use std::path::{Path, PathBuf};
@@ -100,6 +100,7 @@ pub(crate) struct Setting {
     pub(crate) camera: Option<Camera>,
     pub(crate) reference_point: Option<Vec3>,
     pub(crate) captured_at: Option<Vec3>,
+    pub(crate) motion: SceneMotion,
 }
 
 /// Puts a scene together.
@@ -117,5 +118,6 @@ pub(crate) fn assemble(name: impl Into<String>, parts: Parts, setting: Setting) 
         materials: parts.materials,
         lights: setting.lights,
         environment: setting.environment,
+        motion: setting.motion,
     }
 }

@@ -7,7 +7,7 @@ use interreflect_cpu::scene::CpuScene;
 use interreflect_scene::conventions::{CUBE_FACES, cube_frame};
 use interreflect_scene::{
     Camera, Environment, Estimate, LatLongImage, Material, Mesh, Object, Point, PointLayout,
-    Points, Role, Scene, SceneRequest, SurfaceMaterial,
+    Points, Role, Scene, SceneMotion, SceneRequest, SurfaceMaterial,
 };
 use std::path::PathBuf;
 use std::sync::{Arc, LazyLock};
@@ -110,6 +110,7 @@ pub(crate) fn room(radiances: [f32; 6], reference_point: Vec3) -> Scene {
             name: "walls".into(),
             role: Role::Environment,
             mesh,
+            motion: None,
         }],
         materials: radiances.map(|l| Material::emitter(Vec3::splat(l))).into(),
         lights: Vec::new(),
@@ -123,6 +124,7 @@ pub(crate) fn room(radiances: [f32; 6], reference_point: Vec3) -> Scene {
         },
         reference_point,
         captured_at: None,
+        motion: SceneMotion::default(),
     }
 }
 

@@ -4,6 +4,7 @@
 mod good;
 mod images;
 mod malformed;
+mod motions;
 
 use std::path::{Path, PathBuf};
 

@@ -1,7 +1,9 @@
 //! `[[light]]` tables.
 
+use super::motion::LightMotionTable;
 use super::source::{Key, Source};
 use super::{Lamp, Vector};
+use crate::motion::LightMotion;
 use crate::validate::{LARGEST_POWER, is_power};
 use crate::{Environment, Light, SceneError, SpotShape, load};
 use glam::Vec3;
@@ -45,13 +47,18 @@ pub(super) struct LightTable {
     constant: Option<Vector>,
     scale: Option<Spanned<f32>>,
     rotate_deg: Option<Spanned<f32>>,
+    rotate_deg_per_s: Option<Spanned<f32>>,
+    motion: Option<Spanned<LightMotionTable>>,
 }
 
 impl Kind {
     /// How messages call it, and the keys that it takes.
     fn keys(self) -> (&'static str, &'static [&'static str]) {
         match self {
-            Self::Point => ("a point light", &["position", "intensity", "flux"]),
+            Self::Point => (
+                "a point light",
+                &["position", "intensity", "flux", "motion"],
+            ),
             Self::Spot => (
                 "a spot light",
                 &[
@@ -62,13 +69,26 @@ impl Kind {
                     "angle_deg",
                     "intensity",
                     "flux",
+                    "motion",
                 ],
             ),
-            Self::Directional => ("a directional light", &["direction", "irradiance"]),
-            Self::Area => ("an area light", &["position", "normal", "area", "flux"]),
+            Self::Directional => (
+                "a directional light",
+                &["direction", "irradiance", "motion"],
+            ),
+            Self::Area => (
+                "an area light",
+                &["position", "normal", "area", "flux", "motion"],
+            ),
             Self::Environment => (
                 "an environment light",
-                &["file", "constant", "scale", "rotate_deg"],
+                &[
+                    "file",
+                    "constant",
+                    "scale",
+                    "rotate_deg",
+                    "rotate_deg_per_s",
+                ],
             ),
         }
     }
@@ -86,7 +106,7 @@ impl LightTable {
         let vector = |key: &str, value| source.required(whole, key, value, called);
         let position = || source.vector("position", vector("position", &self.position)?);
         let direction = || source.direction("direction", vector("direction", &self.direction)?);
-        Ok(Lamp::Light(match self.kind {
+        let light = match self.kind {
             Kind::Point => Light::Point {
                 position: position()?,
                 intensity: self.intensity(source, whole, 2.0 * TAU)?,
@@ -118,11 +138,20 @@ impl LightTable {
                     flux: source.power("flux", vector("flux", &self.flux)?)?,
                 }
             }
-            Kind::Environment => return self.environment(source, whole).map(Lamp::Environment),
-        }))
+            Kind::Environment => {
+                let speed = self.rotate_deg_per_s.as_ref();
+                let speed = speed.map_or(Ok(0.0), |v| source.number("rotate_deg_per_s", v))?;
+                return Ok(Lamp::Environment(self.environment(source, whole)?, speed));
+            }
+        };
+        let motion = match &self.motion {
+            Some(table) => table.get_ref().load(source, called, allowed)?,
+            None => LightMotion::default(),
+        };
+        Ok(Lamp::Light(light, motion))
     }
 
-    fn given(&self) -> [Option<Key>; 14] {
+    fn given(&self) -> [Option<Key>; 16] {
         [
             Key::of("position", &self.position),
             Key::of("direction", &self.direction),
@@ -138,6 +167,8 @@ impl LightTable {
             Key::of("constant", &self.constant),
             Key::of("scale", &self.scale),
             Key::of("rotate_deg", &self.rotate_deg),
+            Key::of("rotate_deg_per_s", &self.rotate_deg_per_s),
+            Key::of("motion", &self.motion),
         ]
     }
 

@@ -1,15 +1,15 @@
 //! `[[mesh]]` tables.
 
 use super::Vector;
+use super::motion::MeshMotionTable;
 use super::source::{Key, Source};
 use crate::load::build::Model;
 use crate::load::obj::{self, MissingNormals};
 use crate::shapes::{self, Facing};
 use crate::validate::is_physical;
-use crate::{Material, Mesh, Role, SceneError};
+use crate::{Material, Mesh, Motion, Role, SceneError};
 use glam::{Quat, Vec3};
 use serde::Deserialize;
-use serde::de::IgnoredAny;
 use std::path::PathBuf;
 use toml::Spanned;
 
@@ -46,7 +46,7 @@ pub(super) struct MeshTable {
     scale: Option<Spanned<f32>>,
     fit: Option<Spanned<f32>>,
     material: Option<Spanned<MaterialTable>>,
-    motion: Option<Spanned<IgnoredAny>>,
+    motion: Option<Spanned<MeshMotionTable>>,
 }
 
 #[derive(Deserialize)]
@@ -63,18 +63,12 @@ struct MaterialTable {
 const GREY: f32 = 0.7;
 
 impl MeshTable {
-    /// Name, role and model of the mesh in world space; `whole` is the table with its place.
+    /// Name, role and model of the mesh in world space, and its motion; `whole` is the table with its place.
     pub(super) fn load(
         &self,
         source: &Source<'_>,
         whole: &Spanned<Self>,
-    ) -> Result<(String, Role, Model), SceneError> {
-        if let Some(motion) = &self.motion {
-            let what = "`motion` is not supported yet";
-            return Err(source
-                .at(motion)
-                .error(what, "remove it: the mesh then stands still"));
-        }
+    ) -> Result<(String, Role, Model, Option<Motion>), SceneError> {
         let role = match self.role {
             Some(RoleName::Receiver) => Role::Receiver,
             Some(RoleName::Environment) | None => Role::Environment,
@@ -100,7 +94,9 @@ impl MeshTable {
             .as_ref()
             .map_or(Ok(1.0), |s| source.positive("scale", s))?;
         let model = model.placed(vector("translate", &self.translate)?, turned(turn), scale);
-        Ok((self.name(), role, model))
+        let motion = self.motion.as_ref();
+        let motion = motion.map(|m| m.get_ref().load(source, m)).transpose()?;
+        Ok((self.name(), role, model, motion))
     }
 
     fn name(&self) -> String {
@@ -220,7 +216,7 @@ impl Shape {
 }
 
 /// Turned about the fixed axes x, then y, then z; angles in radians.
-fn turned(angles: Vec3) -> Quat {
+pub(super) fn turned(angles: Vec3) -> Quat {
     Quat::from_rotation_z(angles.z)
         * Quat::from_rotation_y(angles.y)
         * Quat::from_rotation_x(angles.x)

@@ -10,6 +10,9 @@
 //! up = [0.0, 1.0, 0.0]                   # default
 //! vfov_deg = 45.0                        # default
 //! resolution = [512, 512]                # default
+//! [camera.motion]                        # default: it stands still; one of
+//! keyframes = [{ time = 0.0, eye = [0.0, 0.0, 3.0], target = [0.0, 0.0, 0.0] }]
+//! # orbit_deg_per_s = 20.0               # the eye about the target, around `up`
 //! [[mesh]]
 //! file = "room.obj"                      # relative to this file; or
 //! # shape = "quad" (size = [w, d]) | "box" (size = [x, y, z], inward = true) | "sphere" (radius)
@@ -20,27 +23,39 @@
 //! rotate_deg = [0.0, 0.0, 0.0]           # turned about the fixed axes x, then y, then z,
 //! translate = [0.0, 0.0, 0.0]            # and moved
 //! material = { albedo = [0.7, 0.7, 0.7], specular = [0.0, 0.0, 0.0], shininess = 5.0, emission = [0.0, 0.0, 0.0], mirror = false }
+//! [mesh.motion]                          # default: it stands still; both of
+//! # linear between keyframes, turns the short way, held before the first and after the last; about
+//! # the centre of the mesh's bounding box
+//! keyframes = [{ time = 0.0, translate = [0.0, 0.0, 0.0], rotate_deg = [0.0, 0.0, 0.0], scale = 1.0 }]
+//! deformation = "twist"                  # or "wave", "breathe": before the keyframes, at rest at time 0
+//! period_s = 2.0                         # default
+//! amount = 0.8                           # of half the mesh's longest side, for a twist in radians
 //! [[light]]                              # kind is one of
 //! kind = "point"                         # position; intensity in W/sr or flux in W
 //! # "spot": also direction, up, shape = "cone" | "square", angle_deg (full angle); flux is that
 //! #         inside the frustum
 //! # "directional": direction, irradiance in W/m²
 //! # "area": position, normal, area in m², flux in W
-//! # "environment": file (.hdr, .exr) or constant = [r, g, b]; scale, rotate_deg
+//! # "environment": file (.hdr, .exr) or constant = [r, g, b]; scale, rotate_deg, rotate_deg_per_s
 //! position = [0.0, 0.9, 0.0]
 //! intensity = [1.0, 1.0, 1.0]
+//! # position, direction and normal, where the light has them:
+//! motion = { keyframes = [{ time = 0.0, position = [0.0, 0.9, 0.0] }] }
 //! ```
 
 mod light;
 mod mesh;
+mod motion;
 mod source;
 
 use super::build::Parts;
 use super::{Setting, text};
+use crate::motion::{CameraMotion, LightMotion, camera_fault};
 use crate::{Camera, Environment, Light, SceneError};
 use glam::Vec3;
 use light::LightTable;
 use mesh::MeshTable;
+use motion::CameraMotionTable;
 use serde::Deserialize;
 use source::Source;
 use std::path::Path;
@@ -69,12 +84,14 @@ struct CameraTable {
     up: Option<Vector>,
     vfov_deg: Option<Spanned<f32>>,
     resolution: Option<Spanned<[u32; 2]>>,
+    motion: Option<Spanned<CameraMotionTable>>,
 }
 
 /// What one `[[light]]` is.
 enum Lamp {
-    Light(Light),
-    Environment(Environment),
+    Light(Light, LightMotion),
+    /// With its speed of turning in degrees per second.
+    Environment(Environment, f32),
 }
 
 /// What a scene file says.
@@ -91,11 +108,10 @@ pub(super) fn read(path: &Path) -> Result<SceneFile, SceneError> {
     let table: SceneTable = toml::from_str(&text).map_err(|e| source.refused(&e))?;
     let mut parts = Parts::default();
     for mesh in &table.mesh {
-        let (name, role, model) = mesh.get_ref().load(&source, mesh)?;
-        parts.add(name, role, model);
+        let (name, role, model, motion) = mesh.get_ref().load(&source, mesh)?;
+        parts.add_moving(name, role, model, motion);
     }
     let mut setting = Setting {
-        camera: table.camera.map(|c| camera(&source, &c)).transpose()?,
         reference_point: table
             .reference_point
             .map(|o| source.vector("reference_point", &o))
@@ -106,14 +122,25 @@ pub(super) fn read(path: &Path) -> Result<SceneFile, SceneError> {
             .transpose()?,
         ..Setting::default()
     };
+    if let Some(table) = &table.camera {
+        let (camera, motion) = camera(&source, table)?;
+        setting.camera = Some(camera);
+        setting.motion.camera = motion;
+    }
     for light in &table.light {
         match light.get_ref().load(&source, light)? {
-            Lamp::Light(light) => setting.lights.push(light),
-            Lamp::Environment(_) if setting.environment.is_some() => {
+            Lamp::Light(light, motion) => {
+                setting.lights.push(light);
+                setting.motion.lights.push(motion);
+            }
+            Lamp::Environment(..) if setting.environment.is_some() => {
                 let what = "a second environment light";
                 return Err(source.at(light).error(what, "keep one"));
             }
-            Lamp::Environment(environment) => setting.environment = Some(environment),
+            Lamp::Environment(environment, deg_per_s) => {
+                setting.environment = Some(environment);
+                setting.motion.environment_deg_per_s = deg_per_s;
+            }
         }
     }
     Ok(SceneFile {
@@ -123,7 +150,11 @@ pub(super) fn read(path: &Path) -> Result<SceneFile, SceneError> {
     })
 }
 
-fn camera(source: &Source<'_>, table: &Spanned<CameraTable>) -> Result<Camera, SceneError> {
+/// The camera and its motion.
+fn camera(
+    source: &Source<'_>,
+    table: &Spanned<CameraTable>,
+) -> Result<(Camera, Option<CameraMotion>), SceneError> {
     let place = || source.at(table);
     let table = table.get_ref();
     let up = table.up.as_ref();
@@ -149,5 +180,16 @@ fn camera(source: &Source<'_>, table: &Spanned<CameraTable>) -> Result<Camera, S
         let remedy = "turn `up` away from the view direction";
         return Err(place().error("`up` is parallel to the view direction", remedy));
     }
-    Ok(camera)
+    let Some(table) = &table.motion else {
+        return Ok((camera, None));
+    };
+    let rest = [camera.eye, camera.target];
+    let motion = table.get_ref().load(source, table, rest)?;
+    match camera_fault(&camera, &motion) {
+        None => Ok((camera, Some(motion))),
+        Some(fault) => {
+            let remedy = "choose other keyframes, or more of them";
+            Err(source.at(table).error(fault, remedy))
+        }
+    }
 }

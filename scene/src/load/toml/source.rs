@@ -151,6 +151,19 @@ impl Source<'_> {
         self.check(key, value, v > 0.0, "use a number above 0")
     }
 
+    /// A number from `least` to `most`.
+    pub(super) fn within(
+        &self,
+        key: &str,
+        value: &Spanned<f32>,
+        least: f32,
+        most: f32,
+    ) -> Result<f32, SceneError> {
+        let holds = (least..=most).contains(value.get_ref());
+        let remedy = format!("use a number from {least} to {most}");
+        self.check(key, value, holds, &remedy)
+    }
+
     /// A full angle in degrees, between 0 and 180.
     pub(super) fn angle(&self, key: &str, value: &Spanned<f32>) -> Result<f32, SceneError> {
         let v = *value.get_ref();

@@ -1,4 +1,5 @@
 mod meshes;
+mod motions;
 mod scene_files;
 
 use super::{Folder, TRIANGLE};

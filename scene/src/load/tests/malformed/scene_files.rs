@@ -48,10 +48,6 @@ fn malformed_scene_files() {
             "DIR/s.toml:3: `radius` means nothing to a mesh from a file; remove it",
         ),
         (
-            "[[mesh]]\nshape = \"sphere\"\nmotion = { kind = \"turn\" }\n",
-            "DIR/s.toml:3: `motion` is not supported yet; remove it: the mesh then stands still",
-        ),
-        (
             "[[mesh]]\nshape = \"sphere\"\ntranslate = [0, nan, 0]\n",
             "DIR/s.toml:3: `translate` is [0.0, NaN, 0.0]; use finite numbers",
         ),
@@ -158,7 +154,7 @@ fn malformed_lights_and_cameras() {
         ),
         (
             "[[light]]\nkind = \"point\"\nposition = [0, 0, 0]\nirradiance = [1, 1, 1]\n",
-            "DIR/s.toml:6: `irradiance` means nothing to a point light; remove it; allowed: position, intensity, flux",
+            "DIR/s.toml:6: `irradiance` means nothing to a point light; remove it; allowed: position, intensity, flux, motion",
         ),
         (
             "[[light]]\nkind = \"spot\"\nposition = [0, 0, 0]\ndirection = [0, 0, 0]\nangle_deg = 90\nintensity = [1, 1, 1]\n",
