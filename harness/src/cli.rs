@@ -7,10 +7,11 @@ pub use options::{Backends, ReferenceBudget, RunOptions, SceneOptions};
 pub use values::{MaterialArg, Setting};
 
 use crate::record::Backend;
+use crate::view::ShadedAt;
 use clap::{Args, Parser, Subcommand, error::ErrorKind};
 use interreflect_estimators::Quantity;
 use std::{ffi::OsString, path::PathBuf};
-use values::{choice, count, material, setting};
+use values::{choice, count, material, rate, setting};
 
 /// Measures real-time indirect-illumination estimators against a path-traced reference and
 /// against what each claims to compute.
@@ -114,7 +115,8 @@ pub struct Bench {
 #[command(
     after_help = "Examples:\n  interreflect render cornell-box --estimator \
 localized_cubemap --width 512 --height 512\n  interreflect render studio --estimator \
-classic_envmap --backend gpu --environment sky.hdr --out images"
+classic_envmap --backend gpu --environment sky.hdr --out images\n  interreflect render studio \
+--estimator directional_ao --shade-at vertices --frames 30 --set scene.camera.orbit_deg_per_s=20"
 )]
 pub struct Render {
     /// Library name, .toml or .obj
@@ -138,6 +140,16 @@ pub struct Render {
     /// Height in pixels; the scene's own if not given
     #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(1..=16384))]
     pub height: Option<u32>,
+    /// Where the estimator is asked: at each pixel's surface, or at the vertices of the meshes
+    #[arg(long = "shade-at", value_name = "WHERE", default_value = "pixels")]
+    #[arg(value_parser = choice::<ShadedAt>())]
+    pub shaded_at: ShadedAt,
+    /// Number of images of a scene that moves, numbered; a single one of the scene at rest if not given
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub frames: Option<u32>,
+    /// Images per second of the scene's time
+    #[arg(long, value_name = "RATE", default_value = "30", value_parser = rate)]
+    pub fps: f32,
     /// Changes to the scene.
     #[command(flatten)]
     pub scene_options: SceneOptions,

@@ -91,11 +91,6 @@ impl Lab {
         on_gpu: bool,
     ) -> Result<Loaded, HarnessError> {
         let scene = self.scene(source, options, settings)?;
-        let cpu = Arc::new(self.cpu.install(|| CpuScene::new(&scene))?);
-        let gpu = on_gpu.then(|| {
-            let context = self.gpu()?;
-            Ok((context.clone(), GpuScene::new(context, &scene)?))
-        });
         let facts = scene.facts();
         if !(facts.environment || facts.emitters || facts.lights > 0) {
             eprintln!(
@@ -103,6 +98,19 @@ impl Lab {
                 scene.name
             );
         }
+        self.set_up(&scene, on_gpu)
+    }
+
+    /// Sets up an opened scene on the CPU and, if asked for, on the GPU.
+    ///
+    /// # Errors
+    /// [`HarnessError`] if the CPU can't use it. A missing GPU is left in the result.
+    pub fn set_up(&self, scene: &Scene, on_gpu: bool) -> Result<Loaded, HarnessError> {
+        let cpu = Arc::new(self.cpu.install(|| CpuScene::new(scene))?);
+        let gpu = on_gpu.then(|| {
+            let context = self.gpu()?;
+            Ok((context.clone(), GpuScene::new(context, scene)?))
+        });
         Ok(Loaded { cpu, gpu })
     }
 

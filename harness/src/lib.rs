@@ -7,6 +7,7 @@ pub mod cli;
 mod commands;
 pub mod error;
 mod format;
+pub mod frames;
 mod gallery;
 pub mod lab;
 pub mod machine;

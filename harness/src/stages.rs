@@ -1,18 +1,26 @@
 //! A scene on the backends that there are, and a method measured on the one that is asked for.
 
 use crate::error::HarnessError;
+use crate::frames::{Frame, Frames, Shaded};
 use crate::lab::Loaded;
 use crate::measure::{Measured, measure};
 use crate::record::{Backend, TimeSource};
 use crate::stage::{CpuStage, GpuStage, Stage};
 use interreflect_cpu::tiles::CpuCx;
-use interreflect_estimators::{Configured, Quantity, Unsupported};
+use interreflect_estimators::{Configured, Cpu, Gpu, Quantity, Unsupported};
 use interreflect_scene::Points;
 
 /// A scene on each backend.
 pub struct Stages<'a> {
     cpu: CpuStage<'a>,
     gpu: Result<GpuStage<'a>, Unsupported>,
+}
+
+/// A sequence on each backend, begun where its first frame was asked for.
+#[derive(Default)]
+pub struct Running {
+    cpu: Option<Frames<Cpu>>,
+    gpu: Option<Frames<Gpu>>,
 }
 
 /// A measurement with what its times mean.
@@ -38,6 +46,27 @@ impl<'a> Stages<'a> {
             None => Err(Unsupported("the GPU was not asked for".into())),
         };
         Self { cpu, gpu }
+    }
+
+    /// Runs the next frame of a sequence on a backend.
+    ///
+    /// # Errors
+    /// [`HarnessError`] as [`Frames::next`], or if there is no GPU.
+    pub fn next_frame(
+        &self,
+        backend: Backend,
+        running: &mut Running,
+        method: &dyn Configured,
+        quantity: Quantity,
+        frame: &Frame<'_>,
+    ) -> Result<Shaded, HarnessError> {
+        match backend {
+            Backend::Cpu => next(&self.cpu, &mut running.cpu, method, quantity, frame),
+            Backend::Gpu => {
+                let stage = self.gpu.as_ref().map_err(Clone::clone)?;
+                next(stage, &mut running.gpu, method, quantity, frame)
+            }
+        }
     }
 
     /// Runs a method as [`measure`] does.
@@ -72,4 +101,18 @@ impl<'a> Stages<'a> {
             }
         }
     }
+}
+
+fn next<S: Stage>(
+    stage: &S,
+    running: &mut Option<Frames<S::Backend>>,
+    method: &dyn Configured,
+    quantity: Quantity,
+    frame: &Frame<'_>,
+) -> Result<Shaded, HarnessError> {
+    let frames = match running.take() {
+        Some(frames) => frames,
+        None => Frames::new(stage, method)?,
+    };
+    running.insert(frames).next(stage, method, quantity, frame)
 }

@@ -8,9 +8,24 @@ use glam::{DVec3, Vec3};
 use interreflect_cpu::direct::captured_radiance;
 use interreflect_cpu::scene::{CpuScene, SurfaceHit};
 use interreflect_estimators::Seen;
+use interreflect_scene::params::Choice;
 use interreflect_scene::{Camera, Estimate, Point, PointLayout, Points, Role, SurfaceMaterial};
 use rayon::prelude::*;
 use vertices::Vertices;
+
+/// Where an estimator is asked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ShadedAt {
+    /// At the surface that each pixel sees.
+    Pixels,
+    /// At the vertices of all that is shaded; pixels interpolate.
+    Vertices,
+}
+
+impl Choice for ShadedAt {
+    const ALL: &'static [(&'static str, Self)] =
+        &[("pixels", Self::Pixels), ("vertices", Self::Vertices)];
+}
 
 /// An image as a list of points: what indirect light is estimated for, and the pixels that show it.
 pub struct View {
@@ -74,6 +89,21 @@ impl View {
     pub fn new(scene: &CpuScene, camera: &Camera) -> Result<Self, HarnessError> {
         let [width, height] = camera.resolution;
         Self::cropped(scene, camera, [0, 0, width, height])
+    }
+
+    /// What `camera` sees, shaded at pixels or at vertices.
+    ///
+    /// # Errors
+    /// As [`View::new`].
+    pub fn shaded_at(
+        scene: &CpuScene,
+        camera: &Camera,
+        at: ShadedAt,
+    ) -> Result<Self, HarnessError> {
+        match at {
+            ShadedAt::Pixels => Self::new(scene, camera),
+            ShadedAt::Vertices => Self::at_vertices(scene, camera),
+        }
     }
 
     /// A view of about `count` shaded points: the camera's image cropped to what is shaded.

@@ -74,14 +74,14 @@ impl DirectionalFrame {
     }
 
     /// Column coordinate s, row coordinate t (both in [−1, 1] inside the sphere) and depth (0
-    /// nearest, 1 farthest) of a position in metres.
+    /// nearest, 1 farthest, as far as positions outside can go) of a position in metres.
     pub fn project(&self, position: Vec3) -> DVec3 {
         let offset = (position - self.sphere.centre).as_dvec3() / f64::from(self.sphere.radius);
         let along = |axis: Vec3| offset.dot(axis.as_dvec3());
         DVec3::new(
             along(self.right),
             -along(self.up),
-            0.5 - 0.5 * along(self.towards),
+            (0.5 - 0.5 * along(self.towards)).clamp(0.0, 1.0),
         )
     }
 }

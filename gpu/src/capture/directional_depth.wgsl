@@ -21,5 +21,7 @@ fn vs_point(
     @builtin(vertex_index) index: u32,
     @builtin(instance_index) layer: u32,
 ) -> @invariant @builtin(position) vec4f {
-    return clip_along(layer, point_vector(index, POSITION));
+    // Nothing lies beside the sphere: points out there are tested against its empty border.
+    let clip = clip_along(layer, point_vector(index, POSITION));
+    return vec4f(clamp(clip.xy, vec2f(-0.9999), vec2f(0.9999)), clip.zw);
 }

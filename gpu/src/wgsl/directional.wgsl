@@ -24,6 +24,6 @@ fn project_along(frame: Frame, centre: vec3f, radius: f32, position: vec3f) -> v
     return vec3f(
         dot(offset, frame.right),
         -dot(offset, frame.up),
-        0.5 - 0.5 * dot(offset, frame.towards),
+        clamp(0.5 - 0.5 * dot(offset, frame.towards), 0.0, 1.0),
     );
 }

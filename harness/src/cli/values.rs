@@ -53,6 +53,14 @@ pub(super) fn setting(text: &str) -> Result<Setting, String> {
     }
 }
 
+pub(super) fn rate(text: &str) -> Result<f32, String> {
+    let rate = text
+        .parse()
+        .ok()
+        .filter(|r: &f32| r.is_finite() && *r > 0.0);
+    rate.ok_or_else(|| "expected a number above 0, such as 30".into())
+}
+
 pub(super) fn vector(text: &str) -> Result<Vec3, String> {
     let expected = "expected three numbers x,y,z, such as .2,-.1,.3";
     three_numbers(text)

@@ -6,6 +6,7 @@ mod list;
 mod probe;
 mod reference;
 mod render;
+mod sequence;
 
 use crate::cli::{Cli, Command};
 use crate::error::HarnessError;
@@ -19,6 +20,7 @@ pub(crate) fn run(cli: Cli, registry: Registry, command_line: &str) -> Result<()
     match cli.command {
         Command::List(command) => list::run(&command, registry),
         Command::Bench(command) => bench::run(&command, registry, command_line),
+        Command::Render(command) if command.frames.is_some() => sequence::run(&command, registry),
         Command::Render(command) => render::run(&command, registry),
         Command::Probe(command) => probe::run(&command, registry),
         Command::Reference(command) => reference::run(&command, registry),

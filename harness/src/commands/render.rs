@@ -16,7 +16,7 @@ use std::f32::consts::FRAC_1_PI;
 use std::path::PathBuf;
 
 /// Folder for images if nothing is said.
-const OUT: &str = "results";
+pub(super) const OUT: &str = "results";
 
 #[derive(Serialize)]
 struct Rendered {
@@ -48,7 +48,9 @@ pub(super) fn run(command: &Render, registry: Registry) -> Result<(), HarnessErr
     )?;
     let scene = loaded.cpu.clone();
     let camera = resized(scene.scene(), command);
-    let view = lab.cpu.install(|| View::new(&scene, &camera))?;
+    let view = lab
+        .cpu
+        .install(|| View::shaded_at(&scene, &camera, command.shaded_at))?;
     let points = view.points(shown.quantity().layout());
     let materials = view.points(PointLayout::Material);
     let stages = Stages::new(&lab.cpu, loaded.complete()?);
@@ -58,16 +60,7 @@ pub(super) fn run(command: &Render, registry: Registry) -> Result<(), HarnessErr
             measured, software, ..
         } = stages.measure(backend, &*method, shown.quantity(), &points, 1)?;
         let image = shown.image(&view, &materials, &measured.estimate);
-        let fidelity = method
-            .fidelity()
-            .map(|f| format!("-{f}"))
-            .unwrap_or_default();
-        let stem = format!(
-            "{}-{}{fidelity}-{}-{backend}",
-            scene.scene().name,
-            method.info().id,
-            shown.name()
-        );
+        let stem = shown.stem(scene.scene(), &*method, backend);
         let folder = command.out.clone().unwrap_or_else(|| OUT.into());
         let (exr, png) = (
             folder.join(format!("{stem}.exr")),
@@ -108,7 +101,7 @@ pub(super) fn run(command: &Render, registry: Registry) -> Result<(), HarnessErr
     Ok(())
 }
 
-fn resized(scene: &Scene, command: &Render) -> Camera {
+pub(super) fn resized(scene: &Scene, command: &Render) -> Camera {
     let [width, height] = scene.camera.resolution;
     Camera {
         resolution: [
@@ -120,7 +113,7 @@ fn resized(scene: &Scene, command: &Render) -> Camera {
 }
 
 /// What the image shows.
-enum Shown {
+pub(super) enum Shown {
     /// The quantity by itself.
     Quantity(Quantity),
     /// All light that reaches the camera: direct light and, from the estimate, indirect light.
@@ -128,7 +121,7 @@ enum Shown {
 }
 
 impl Shown {
-    fn choose(method: &dyn Configured, asked: Option<Quantity>) -> Self {
+    pub(super) fn choose(method: &dyn Configured, asked: Option<Quantity>) -> Self {
         let offered = method.quantities();
         match asked {
             Some(quantity) => Self::Quantity(quantity),
@@ -140,20 +133,28 @@ impl Shown {
         }
     }
 
-    fn quantity(&self) -> Quantity {
+    pub(super) fn quantity(&self) -> Quantity {
         match self {
             Self::Quantity(quantity) | Self::Light(quantity) => *quantity,
         }
     }
 
-    fn name(&self) -> &'static str {
+    pub(super) fn name(&self) -> &'static str {
         match self {
             Self::Quantity(quantity) => quantity.name(),
             Self::Light(_) => "light",
         }
     }
 
-    fn image(&self, view: &View, points: &Points, estimate: &Estimate) -> HdrImage {
+    /// Name of an image without its ending.
+    pub(super) fn stem(&self, scene: &Scene, method: &dyn Configured, backend: Backend) -> String {
+        let fidelity = method.fidelity().map(|f| format!("-{f}"));
+        let fidelity = fidelity.unwrap_or_default();
+        let (scene, id) = (&scene.name, method.info().id);
+        format!("{scene}-{id}{fidelity}-{}-{backend}", self.name())
+    }
+
+    pub(super) fn image(&self, view: &View, points: &Points, estimate: &Estimate) -> HdrImage {
         match self {
             Self::Quantity(_) => view.image(estimate),
             Self::Light(Quantity::GlossyRadiance) => view.lit(estimate),

@@ -38,6 +38,7 @@ fn scene_of(meshes: Vec<Mesh>, points: Vec<Point>) -> Subject {
         name: "occluder".into(),
         role: Role::Receiver,
         mesh,
+        motion: None,
     };
     scene.objects = meshes.into_iter().map(object).collect();
     Subject::new("openness", &scene, points.into_iter().map(Some).collect())

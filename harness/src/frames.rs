@@ -1,0 +1,115 @@
+//! One method over the frames of a sequence: a session that lives on while the scene moves.
+
+use crate::error::HarnessError;
+use crate::metrics::check_finite;
+use crate::stage::{Placed, Stage};
+use interreflect_estimators::{Backend, Changed, Configured, Inputs, Quantity, Seen, Session};
+use interreflect_scene::motion::Moves;
+use interreflect_scene::{Estimate, Points, Scene};
+
+/// A session and its last frame.
+pub struct Frames<B: Backend> {
+    session: Box<dyn Session<B>>,
+    last: Option<Last>,
+}
+
+struct Last {
+    points: Points,
+    ms: f64,
+}
+
+/// What a frame shows.
+pub struct Frame<'a> {
+    /// The scene at the frame's time.
+    pub scene: &'a Scene,
+    /// What can change in it from frame to frame.
+    pub moves: Moves,
+    /// The points.
+    pub points: &'a Points,
+    /// What the camera sees of them, where they are vertices.
+    pub seen: Option<Seen<'a>>,
+}
+
+/// A frame's estimate and the milliseconds that it took.
+pub struct Shaded {
+    /// The quantity at each point.
+    pub estimate: Estimate,
+    /// Captures, `prepare` and `shade`.
+    pub ms: f64,
+}
+
+impl<B: Backend> Frames<B> {
+    /// A session of a method before its first frame.
+    ///
+    /// # Errors
+    /// [`HarnessError`] if the method has no implementation on the backend.
+    pub fn new<S: Stage<Backend = B>>(
+        stage: &S,
+        method: &dyn Configured,
+    ) -> Result<Self, HarnessError> {
+        let session = stage.open(method)?;
+        Ok(Self {
+            session,
+            last: None,
+        })
+    }
+
+    /// Runs the next frame on `stage`, the scene at its time.
+    ///
+    /// # Errors
+    /// [`HarnessError`] if the method can't run there, or estimates a number that is not finite.
+    pub fn next<S: Stage<Backend = B>>(
+        &mut self,
+        stage: &S,
+        method: &dyn Configured,
+        quantity: Quantity,
+        frame: &Frame<'_>,
+    ) -> Result<Shaded, HarnessError> {
+        let (scene, points) = (frame.scene, frame.points);
+        let facts = scene.facts();
+        let needs = method.needs(quantity, &facts)?;
+        stage.solve(&needs)?;
+        let (captures, capture_ms) = stage.capture(&needs)?;
+        let Placed {
+            points: placed,
+            mut out,
+        } = stage.place(points)?;
+        let origin = (facts, scene.capture_origin(needs.keep_within_m));
+        let changed = self.changed(frame);
+        let mut inputs = Inputs::new(&needs, &captures, &placed, points, origin, changed);
+        inputs.seen = frame.seen;
+        inputs.last_frame_ms = self.last.as_ref().map(|last| last.ms);
+        let session = &mut self.session;
+        let prepare_ms = stage.timed("prepare", &mut |cx| {
+            session.prepare(cx, quantity, &inputs, &out)
+        })?;
+        let shade_ms = stage.timed("shade", &mut |cx| {
+            session.shade(cx, quantity, &inputs, &mut out)
+        })?;
+        let estimate = stage.read_back(&out)?.0;
+        check_finite(method.info().id, &estimate, Some(points))?;
+        let ms = capture_ms + prepare_ms + shade_ms;
+        self.last = Some(Last {
+            points: points.clone(),
+            ms,
+        });
+        Ok(Shaded { estimate, ms })
+    }
+
+    fn changed(&self, frame: &Frame<'_>) -> Changed {
+        let Some(last) = &self.last else {
+            return Changed::ALL;
+        };
+        let moves = frame.moves;
+        let captures = moves.geometry || moves.lights || moves.environment;
+        [
+            (last.points != *frame.points, Changed::POINTS),
+            (captures, Changed::CAPTURES),
+            (moves.geometry, Changed::GEOMETRY),
+            (moves.environment, Changed::ENVIRONMENT),
+        ]
+        .into_iter()
+        .filter(|(changed, _)| *changed)
+        .fold(Changed::NOTHING, |all, (_, what)| all | what)
+    }
+}
