@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use crate::capture::cube::Capture;
+use crate::capture::directional_depth::{Frame, Frames};
 use crate::coarse::Grid;
 use crate::lights::{GpuLight, LightList, MAX_LIGHTS, kind};
 use crate::points::PointsInfo;
@@ -136,6 +137,11 @@ fn structs_have_the_same_layout() {
     assert_layout!(&capture, "Lights", LightList, [lights, count, near]);
     assert_layout!(&capture, "Material", GpuMaterial, [albedo, emission]);
     assert_layout!(&capture, "Grid", Grid, [first, cells]);
+    let depths = module(&capture::directional_depth::SHADER);
+    assert_layout!(&depths, "Frame", Frame, [right, up, towards]);
+    assert_layout!(&depths, "Frames", Frames, [centre, radius, frames]);
+    let at_once = constant(&depths, "DEPTH_MAPS_AT_ONCE");
+    assert_eq!(at_once, capture::directional_depth::DEPTH_MAPS_AT_ONCE);
     assert_layout!(
         &capture,
         "Capture",

@@ -82,9 +82,9 @@ mod tests {
     #[test]
     fn ranges_are_cut_at_words() {
         let cut = |range| by_words(range).collect::<Vec<_>>();
-        assert_eq!(cut(0..6), [0..6]);
+        assert_eq!(cut(0..33), [0..32, 32..33]);
         assert_eq!(cut(6..66), [6..32, 32..64, 64..66]);
-        assert_eq!(cut(64..64), []);
+        assert!(cut(64..64).is_empty());
         assert_eq!(
             (0..=MAX_LEVEL).map(words).collect::<Vec<_>>(),
             [1, 1, 3, 9, 33]
