@@ -7,7 +7,7 @@ pub use options::{Backends, ReferenceBudget, RunOptions, SceneOptions};
 pub use values::{MaterialArg, Setting};
 
 use crate::record::Backend;
-use crate::view::ShadedAt;
+use crate::view::{Look, Mirrors, ShadedAt};
 use clap::{Args, Parser, Subcommand, error::ErrorKind};
 use interreflect_estimators::Quantity;
 use std::{ffi::OsString, path::PathBuf};
@@ -144,6 +144,11 @@ pub struct Render {
     #[arg(long = "shade-at", value_name = "WHERE", default_value = "pixels")]
     #[arg(value_parser = choice::<ShadedAt>())]
     pub shaded_at: ShadedAt,
+    /// What mirrors show of indirect light: nothing, their own as if they were diffuse, or that of the
+    /// surfaces in them
+    #[arg(long, value_name = "WHAT", default_value = "included")]
+    #[arg(value_parser = choice::<Mirrors>())]
+    pub mirrors: Mirrors,
     /// Number of images of a scene that moves, numbered; a single one of the scene at rest if not given
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub frames: Option<u32>,
@@ -162,6 +167,16 @@ pub struct Render {
     /// Folder for the EXR and PNG files
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+}
+
+impl Render {
+    /// How the view is made.
+    pub fn look(&self) -> Look {
+        Look {
+            at: self.shaded_at,
+            mirrors: self.mirrors,
+        }
+    }
 }
 
 /// `interreflect probe`.

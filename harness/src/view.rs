@@ -1,16 +1,16 @@
 //! What the camera sees, as a list of points: what is measured is what is shown.
 
+mod traced;
 mod vertices;
 
 use crate::error::HarnessError;
 use crate::output::HdrImage;
-use glam::{DVec3, Vec3};
-use interreflect_cpu::direct::captured_radiance;
-use interreflect_cpu::scene::{CpuScene, SurfaceHit};
+use glam::Vec3;
+use interreflect_cpu::scene::CpuScene;
 use interreflect_estimators::Seen;
 use interreflect_scene::params::Choice;
-use interreflect_scene::{Camera, Estimate, Point, PointLayout, Points, Role, SurfaceMaterial};
-use rayon::prelude::*;
+use interreflect_scene::{Camera, Estimate, Point, PointLayout, Points, Role};
+use traced::{footprint, traced};
 use vertices::Vertices;
 
 /// Where an estimator is asked.
@@ -25,6 +25,44 @@ pub enum ShadedAt {
 impl Choice for ShadedAt {
     const ALL: &'static [(&'static str, Self)] =
         &[("pixels", Self::Pixels), ("vertices", Self::Vertices)];
+}
+
+/// What a mirror shows of indirect light (P3, Figure 8).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mirrors {
+    /// None: direct light alone.
+    Direct,
+    /// Direct light, and on it what the mirror's own surface would reflect if it were diffuse, of its
+    /// reflectance for an albedo: a trick, which costs no reflected point.
+    Diffuse,
+    /// What the surfaces that it shows reflect.
+    Included,
+}
+
+impl Choice for Mirrors {
+    const ALL: &'static [(&'static str, Self)] = &[
+        ("direct", Self::Direct),
+        ("diffuse", Self::Diffuse),
+        ("included", Self::Included),
+    ];
+}
+
+/// How a view is made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Look {
+    /// Where the estimator is asked.
+    pub at: ShadedAt,
+    /// What mirrors show.
+    pub mirrors: Mirrors,
+}
+
+impl Default for Look {
+    fn default() -> Self {
+        Self {
+            at: ShadedAt::Pixels,
+            mirrors: Mirrors::Included,
+        }
+    }
 }
 
 /// An image as a list of points: what indirect light is estimated for, and the pixels that show it.
@@ -72,9 +110,6 @@ impl Taps {
     }
 }
 
-/// Mirrors that a pixel's ray is followed through.
-const MIRRORS: usize = 8;
-
 /// Width in pixels of the image that finds out how much of it is shaded.
 const TRIAL: f64 = 96.0;
 
@@ -88,21 +123,19 @@ impl View {
     /// [`HarnessError::Usage`] if the image has more than [`MAX_PIXELS`] pixels.
     pub fn new(scene: &CpuScene, camera: &Camera) -> Result<Self, HarnessError> {
         let [width, height] = camera.resolution;
-        Self::cropped(scene, camera, [0, 0, width, height])
+        Self::cropped(scene, camera, [0, 0, width, height], Mirrors::Included)
     }
 
-    /// What `camera` sees, shaded at pixels or at vertices.
+    /// What `camera` sees, made as asked.
     ///
     /// # Errors
     /// As [`View::new`].
-    pub fn shaded_at(
-        scene: &CpuScene,
-        camera: &Camera,
-        at: ShadedAt,
-    ) -> Result<Self, HarnessError> {
-        match at {
-            ShadedAt::Pixels => Self::new(scene, camera),
-            ShadedAt::Vertices => Self::at_vertices(scene, camera),
+    pub fn with(scene: &CpuScene, camera: &Camera, look: Look) -> Result<Self, HarnessError> {
+        let [width, height] = camera.resolution;
+        let mirrors = look.mirrors;
+        match look.at {
+            ShadedAt::Pixels => Self::cropped(scene, camera, [0, 0, width, height], mirrors),
+            ShadedAt::Vertices => Self::at_vertices(scene, camera, mirrors),
         }
     }
 
@@ -141,16 +174,20 @@ impl View {
             high(x1, width).max(x0 + 1),
             high(y1, height).max(y0 + 1),
         ];
-        Self::cropped(scene, &camera, window)
+        Self::cropped(scene, &camera, window, Mirrors::Included)
     }
 
     /// The window [left, top, right, bottom) of the camera's image, in pixels.
-    fn cropped(scene: &CpuScene, camera: &Camera, window: [u32; 4]) -> Result<Self, HarnessError> {
+    fn cropped(
+        scene: &CpuScene,
+        camera: &Camera,
+        window: [u32; 4],
+        mirrors: Mirrors,
+    ) -> Result<Self, HarnessError> {
         let [x0, y0, x1, y1] = window;
         let (width, height) = (x1 - x0, y1 - y0);
         check_size(width, height)?;
-        let only_receivers = scene.scene().objects_of(Role::Receiver).next().is_some();
-        let traced = traced(scene, camera, window, only_receivers);
+        let traced = traced(scene, camera, window, mirrors);
         let traced_points: Vec<_> = traced.iter().map(|traced| traced.point).collect();
         let mut points = Vec::new();
         let pixels = traced.iter().enumerate().map(|(i, traced)| {
@@ -176,12 +213,16 @@ impl View {
     ///
     /// # Errors
     /// As [`View::new`].
-    pub fn at_vertices(scene: &CpuScene, camera: &Camera) -> Result<Self, HarnessError> {
+    fn at_vertices(
+        scene: &CpuScene,
+        camera: &Camera,
+        mirrors: Mirrors,
+    ) -> Result<Self, HarnessError> {
         let [width, height] = camera.resolution;
         check_size(width, height)?;
         let only_receivers = scene.scene().objects_of(Role::Receiver).next().is_some();
         let vertices = Vertices::new(scene.scene(), camera.eye, only_receivers);
-        let traced = traced(scene, camera, [0, 0, width, height], only_receivers);
+        let traced = traced(scene, camera, [0, 0, width, height], mirrors);
         let mut visible = Vec::new();
         let pixels = traced.iter().map(|traced| {
             let hit = traced.hit.filter(|_| traced.point.is_some());
@@ -280,110 +321,6 @@ fn check_size(width: u32, height: u32) -> Result<(), HarnessError> {
              fewer points"
         ))),
         false => Ok(()),
-    }
-}
-
-/// The rays through the pixels of a window, row by row.
-fn traced(
-    scene: &CpuScene,
-    camera: &Camera,
-    [x0, y0, x1, y1]: [u32; 4],
-    only_receivers: bool,
-) -> Vec<Traced> {
-    let (width, height) = (x1 - x0, y1 - y0);
-    (0..width as usize * height as usize)
-        .into_par_iter()
-        .map(|i| {
-            let (x, y) = (x0 + i as u32 % width, y0 + i as u32 / width);
-            let direction = camera.ray(x as f32 + 0.5, y as f32 + 0.5);
-            Traced::new(scene, camera.eye.as_dvec3(), direction, only_receivers)
-        })
-        .collect()
-}
-
-/// What the ray through a pixel's centre met.
-struct Traced {
-    point: Option<Point>,
-    hit: Option<SurfaceHit>,
-    throughput: Vec3,
-    direct: Vec3,
-}
-
-impl Traced {
-    fn new(scene: &CpuScene, mut origin: DVec3, mut direction: Vec3, only_receivers: bool) -> Self {
-        let mut traced = Self {
-            point: None,
-            hit: None,
-            throughput: Vec3::ONE,
-            direct: Vec3::ZERO,
-        };
-        let geometry = scene.all_objects();
-        for _ in 0..=MIRRORS {
-            let start = geometry.ray_start();
-            let Some(hit) = scene.closest(geometry, origin, direction, start) else {
-                let environment = scene.scene().environment.as_ref();
-                let radiance = environment.map_or(Vec3::ZERO, |e| e.radiance(direction));
-                traced.direct = traced.throughput * radiance;
-                break;
-            };
-            if hit.material.mirror {
-                traced.throughput *= hit.material.specular;
-                let normal = hit.shading_normal;
-                direction -= normal * (2.0 * normal.dot(direction));
-                origin = hit.position;
-                continue;
-            }
-            traced.direct = traced.throughput * captured_radiance(scene, geometry, &hit, None);
-            if !only_receivers || hit.role == Role::Receiver {
-                traced.point = Some(shaded(&hit, direction));
-                traced.hit = Some(hit);
-            }
-            break;
-        }
-        traced
-    }
-
-    fn pixel(&self, taps: Option<Taps>) -> Pixel {
-        Pixel {
-            taps,
-            throughput: self.throughput,
-            direct: self.direct,
-        }
-    }
-}
-
-/// Angle in radians between the mirrored directions of pixel `i` and of its neighbours: the pixels
-/// right and below, or where these show no shaded surface left and above; the larger of the two,
-/// 0 without a neighbour.
-fn footprint(points: &[Option<Point>], width: usize, i: usize) -> f32 {
-    let mirrored = |point: Point| point.normal * (2.0 * point.normal.dot(point.view)) - point.view;
-    let direction = |i: Option<usize>| i.and_then(|i| points.get(i).copied()?).map(mirrored);
-    let Some(here) = direction(Some(i)) else {
-        return 0.0;
-    };
-    let column = i % width;
-    let right = (column + 1 < width).then_some(i + 1);
-    let left = (column > 0).then(|| i - 1);
-    let (below, above) = (Some(i + width), i.checked_sub(width));
-    [[right, left], [below, above]]
-        .into_iter()
-        .filter_map(|[next, previous]| direction(next).or_else(|| direction(previous)))
-        // The chord's length keeps small angles, which the cosine loses.
-        .map(|there| 2.0 * (0.5 * here.distance(there)).min(1.0).asin())
-        .fold(0.0, f32::max)
-}
-
-fn shaded(hit: &SurfaceHit, direction: Vec3) -> Point {
-    Point {
-        position: hit.position.as_vec3(),
-        normal: hit.shading_normal,
-        view: -direction,
-        material: SurfaceMaterial {
-            diffuse: hit.material.albedo,
-            specular: hit.material.specular,
-            shininess: hit.material.shininess,
-        },
-        footprint: 0.0,
     }
 }
 

@@ -50,7 +50,7 @@ pub(super) fn run(command: &Render, registry: Registry) -> Result<(), HarnessErr
     let camera = resized(scene.scene(), command);
     let view = lab
         .cpu
-        .install(|| View::shaded_at(&scene, &camera, command.shaded_at))?;
+        .install(|| View::with(&scene, &camera, command.look()))?;
     let points = view.points(shown.quantity().layout());
     let materials = view.points(PointLayout::Material);
     let stages = Stages::new(&lab.cpu, loaded.complete()?);

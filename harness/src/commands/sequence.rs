@@ -55,10 +55,8 @@ pub(super) fn run(command: &Render, registry: Registry) -> Result<(), HarnessErr
             place = set_up(&lab, &scene, on_gpu)?;
         }
         let camera = resized(&scene, command);
-        let at = command.shaded_at;
-        let view = lab
-            .cpu
-            .install(|| View::shaded_at(&place.cpu, &camera, at))?;
+        let look = command.look();
+        let view = lab.cpu.install(|| View::with(&place.cpu, &camera, look))?;
         let points = view.points(shown.quantity().layout());
         let frame = Frame {
             scene: &scene,

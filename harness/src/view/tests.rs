@@ -1,4 +1,5 @@
 use super::*;
+use interreflect_cpu::scene::CpuScene;
 
 /// A pixel whose normal is turned about y by this angle, seen along −z.
 fn turned(angle: f32) -> Option<Point> {
@@ -29,4 +30,109 @@ fn footprints_are_the_larger_turn_to_a_neighbour() {
         assert!((found - expected).abs() < 1e-6, "pixel {i}: {found}");
     }
     assert_eq!(footprint(&[turned(0.2)], 1, 0), 0.0);
+}
+
+/// A floor before an upright mirror, from a file.
+fn mirrored_floor() -> CpuScene {
+    let file = std::env::temp_dir().join(format!("interreflect-view-{}.toml", std::process::id()));
+    let text = r#"
+        [camera]
+        eye = [0.0, 1.0, 3.0]
+        target = [0.0, 1.0, 0.0]
+        up = [0.0, 1.0, 0.0]
+        vfov_deg = 60.0
+        resolution = [33, 33]
+        [[mesh]]
+        shape = "quad"
+        scale = 4.0
+        translate = [0.0, 0.0, 2.0]
+        material = { albedo = [0.5, 0.5, 0.5] }
+        [[mesh]]
+        shape = "quad"
+        scale = 4.0
+        rotate_deg = [90.0, 0.0, 0.0]
+        translate = [0.0, 2.0, 0.0]
+        material = { albedo = [0.0, 0.0, 0.0], specular = [0.5, 0.25, 1.0], mirror = true }
+    "#;
+    std::fs::write(&file, text).expect("a writable folder for temporary files");
+    let request = interreflect_scene::SceneRequest::new(file.to_string_lossy());
+    let scene = interreflect_scene::open(&request).expect("a scene");
+    std::fs::remove_file(&file).ok();
+    CpuScene::new(&scene).expect("a scene that the CPU takes")
+}
+
+#[test]
+fn mirrors_show_what_is_asked() {
+    let scene = mirrored_floor();
+    let camera = scene.scene().camera;
+    let view = |mirrors| {
+        let look = Look {
+            mirrors,
+            ..Look::default()
+        };
+        View::with(&scene, &camera, look).expect("a small view")
+    };
+    let [direct, diffuse, included] =
+        [Mirrors::Direct, Mirrors::Diffuse, Mirrors::Included].map(view);
+    let on_mirror = |view: &View| {
+        let points = view.points.iter().flatten();
+        points.filter(|p| p.position.z.abs() < 1e-4).count()
+    };
+    let in_mirror = |view: &View| {
+        let ones = Estimate::from_blocks(
+            view.points.len(),
+            vec![1.0; Estimate::new(view.points.len()).blocks().len()],
+        );
+        let image = view.image(&ones.expect("as many blocks as points"));
+        let tinted = Vec3::new(0.5, 0.25, 1.0);
+        image.pixels.iter().filter(|p| **p == tinted).count()
+    };
+    assert_eq!((on_mirror(&direct), in_mirror(&direct)), (0, 0));
+    assert!(on_mirror(&included) == 0 && in_mirror(&included) > 10);
+    assert!(on_mirror(&diffuse) > in_mirror(&included) && in_mirror(&diffuse) == 0);
+    let albedo = diffuse
+        .points
+        .iter()
+        .flatten()
+        .find(|p| p.position.z.abs() < 1e-4);
+    assert_eq!(
+        albedo.map(|p| p.material.diffuse),
+        Some(Vec3::new(0.5, 0.25, 1.0))
+    );
+}
+
+#[test]
+fn vertices_interpolate_over_their_triangles() {
+    let scene = mirrored_floor();
+    let camera = scene.scene().camera;
+    let look = Look {
+        at: ShadedAt::Vertices,
+        ..Look::default()
+    };
+    let vertices = View::with(&scene, &camera, look).expect("a small view");
+    let pixels = View::new(&scene, &camera).expect("a small view");
+    // Positions are linear over a triangle: interpolated they are those of the pixels.
+    let positions = |view: &View| {
+        let mut estimate = Estimate::new(view.points.len());
+        for (i, point) in view.points.iter().enumerate() {
+            estimate.set(i, point.map_or(Vec3::ZERO, |p| p.position));
+        }
+        view.image(&estimate)
+    };
+    let (a, b) = (positions(&vertices), positions(&pixels));
+    for (a, b) in a.pixels.iter().zip(&b.pixels) {
+        // Rounding of weights and positions of a few metres to float32.
+        assert!(a.distance(*b) < 1e-5, "{a} and {b}");
+    }
+    let seen = vertices.seen().expect("vertices have triangles");
+    assert!(pixels.seen().is_none() && !seen.visible.is_empty());
+    let of_mirror = |t: &&u32| vertices.points[seen.triangles[**t as usize][0] as usize];
+    let floor_only = seen
+        .visible
+        .iter()
+        .all(|t| of_mirror(&t).is_some_and(|p| p.position.y == 0.0));
+    assert!(
+        floor_only,
+        "the mirror's triangles are not shaded where it shows others"
+    );
 }

@@ -6,7 +6,7 @@ use crate::subjects::{SUBJECTS, Subject, same_bits};
 use crate::world::{CPU, Outcome, configured, cpu_stage, gpu_stage, ignored, on_gpu};
 use glam::Quat;
 use interreflect::stage::{Placed, Stage};
-use interreflect::view::View;
+use interreflect::view::{Look, Mirrors, ShadedAt, View};
 use interreflect_cpu::scene::CpuScene;
 use interreflect_estimators::directional_ao::{
     Bias, CpuState, DIRECTIONS, DirectionalAo, DirectionalAoParams, GpuState, Visibility,
@@ -17,6 +17,11 @@ use interreflect_scene::{Camera, Estimate, LANES, PointLayout, Points, SceneRequ
 use libtest_mimic::{Failed, Trial};
 use std::path::PathBuf;
 use std::sync::Arc;
+
+const VERTICES: Look = Look {
+    at: ShadedAt::Vertices,
+    mirrors: Mirrors::Included,
+};
 
 const AO: Quantity = Quantity::AmbientOcclusion;
 
@@ -99,7 +104,7 @@ fn ways_agree(context: &Arc<GpuContext>, file: &std::path::Path) -> Outcome {
     })?;
     let level = 1;
     let mut subject = Subject::new("model", &scene, Vec::new());
-    let view = View::at_vertices(&subject.cpu, &small(scene.camera))?;
+    let view = View::with(&subject.cpu, &small(scene.camera), VERTICES)?;
     // Every fourth vertex: queries are slow.
     let vertices = view.points(PointLayout::Surface);
     subject.set_points(vertices.iter().step_by(4).collect());
@@ -295,7 +300,7 @@ fn orbit() -> Result<Vec<View>, Failed> {
         let turn = Quat::from_rotation_y((15.0 * i as f32).to_radians());
         let eye = camera.target + turn * (camera.eye - camera.target);
         let camera = small(Camera { eye, ..camera });
-        CPU.install(|| View::at_vertices(scene, &camera))
+        CPU.install(|| View::with(scene, &camera, VERTICES))
     });
     Ok(views.collect::<Result<_, _>>()?)
 }

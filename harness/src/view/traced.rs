@@ -1,0 +1,144 @@
+//! What the rays through pixels meet.
+
+use super::{Mirrors, Pixel, Taps};
+use glam::{DVec3, Vec3};
+use interreflect_cpu::direct::captured_radiance;
+use interreflect_cpu::scene::{CpuScene, SurfaceHit};
+use interreflect_scene::{Camera, Point, Role, SurfaceMaterial};
+use rayon::prelude::*;
+
+/// Mirrors that a pixel's ray is followed through.
+const MIRRORS: usize = 8;
+
+/// What the rays through the pixels of a window meet, row by row.
+pub(super) fn traced(
+    scene: &CpuScene,
+    camera: &Camera,
+    [x0, y0, x1, y1]: [u32; 4],
+    mirrors: Mirrors,
+) -> Vec<Traced> {
+    let only_receivers = scene.scene().objects_of(Role::Receiver).next().is_some();
+    let (width, height) = (x1 - x0, y1 - y0);
+    (0..width as usize * height as usize)
+        .into_par_iter()
+        .map(|i| {
+            let (x, y) = (x0 + i as u32 % width, y0 + i as u32 / width);
+            let direction = camera.ray(x as f32 + 0.5, y as f32 + 0.5);
+            let origin = camera.eye.as_dvec3();
+            Traced::new(scene, origin, direction, (only_receivers, mirrors))
+        })
+        .collect()
+}
+
+/// What the ray through a pixel's centre met.
+pub(super) struct Traced {
+    /// The surface to shade, if there is one.
+    pub(super) point: Option<Point>,
+    /// What the ray met there.
+    pub(super) hit: Option<SurfaceHit>,
+    throughput: Vec3,
+    direct: Vec3,
+}
+
+impl Traced {
+    fn new(
+        scene: &CpuScene,
+        mut origin: DVec3,
+        mut direction: Vec3,
+        (only_receivers, mirrors): (bool, Mirrors),
+    ) -> Self {
+        let mut traced = Self {
+            point: None,
+            hit: None,
+            throughput: Vec3::ONE,
+            direct: Vec3::ZERO,
+        };
+        let geometry = scene.all_objects();
+        // Factor on direct light; `throughput` is the one on the estimate.
+        let mut mirrored = Vec3::ONE;
+        let mut seen_in_mirror = false;
+        for _ in 0..=MIRRORS {
+            let start = geometry.ray_start();
+            let Some(hit) = scene.closest(geometry, origin, direction, start) else {
+                let environment = scene.scene().environment.as_ref();
+                let radiance = environment.map_or(Vec3::ZERO, |e| e.radiance(direction));
+                traced.direct = mirrored * radiance;
+                break;
+            };
+            if hit.material.mirror {
+                mirrored *= hit.material.specular;
+                let shown = !only_receivers || hit.role == Role::Receiver;
+                if mirrors == Mirrors::Diffuse && shown && traced.point.is_none() {
+                    traced.point = Some(as_diffuse(&hit, direction));
+                    traced.hit = Some(hit);
+                }
+                seen_in_mirror = true;
+                let normal = hit.shading_normal;
+                direction -= normal * (2.0 * normal.dot(direction));
+                origin = hit.position;
+                continue;
+            }
+            traced.direct = mirrored * captured_radiance(scene, geometry, &hit, None);
+            let counts = mirrors == Mirrors::Included || !seen_in_mirror;
+            if counts && (!only_receivers || hit.role == Role::Receiver) {
+                traced.throughput = mirrored;
+                traced.point = Some(shaded(&hit, direction));
+                traced.hit = Some(hit);
+            }
+            break;
+        }
+        traced
+    }
+
+    /// The pixel that shows this.
+    pub(super) fn pixel(&self, taps: Option<Taps>) -> Pixel {
+        Pixel {
+            taps,
+            throughput: self.throughput,
+            direct: self.direct,
+        }
+    }
+}
+
+/// Angle in radians between the mirrored directions of pixel `i` and of its neighbours: the pixels
+/// right and below, or where these show no shaded surface left and above; the larger of the two,
+/// 0 without a neighbour.
+pub(super) fn footprint(points: &[Option<Point>], width: usize, i: usize) -> f32 {
+    let mirrored = |point: Point| point.normal * (2.0 * point.normal.dot(point.view)) - point.view;
+    let direction = |i: Option<usize>| i.and_then(|i| points.get(i).copied()?).map(mirrored);
+    let Some(here) = direction(Some(i)) else {
+        return 0.0;
+    };
+    let column = i % width;
+    let right = (column + 1 < width).then_some(i + 1);
+    let left = (column > 0).then(|| i - 1);
+    let (below, above) = (Some(i + width), i.checked_sub(width));
+    [[right, left], [below, above]]
+        .into_iter()
+        .filter_map(|[next, previous]| direction(next).or_else(|| direction(previous)))
+        // The chord's length keeps small angles, which the cosine loses.
+        .map(|there| 2.0 * (0.5 * here.distance(there)).min(1.0).asin())
+        .fold(0.0, f32::max)
+}
+
+fn shaded(hit: &SurfaceHit, direction: Vec3) -> Point {
+    Point {
+        position: hit.position.as_vec3(),
+        normal: hit.shading_normal,
+        view: -direction,
+        material: SurfaceMaterial {
+            diffuse: hit.material.albedo,
+            specular: hit.material.specular,
+            shininess: hit.material.shininess,
+        },
+        footprint: 0.0,
+    }
+}
+
+/// A mirror's surface as if it were diffuse.
+fn as_diffuse(hit: &SurfaceHit, direction: Vec3) -> Point {
+    let mut point = shaded(hit, direction);
+    point.material.diffuse = hit.material.specular;
+    point.material.specular = Vec3::ZERO;
+    point
+}
