@@ -33,8 +33,11 @@ fn footprints_are_the_larger_turn_to_a_neighbour() {
 }
 
 /// A floor before an upright mirror, from a file.
-fn mirrored_floor() -> CpuScene {
-    let file = std::env::temp_dir().join(format!("interreflect-view-{}.toml", std::process::id()));
+fn mirrored_floor(name: &str) -> CpuScene {
+    let file = std::env::temp_dir().join(format!(
+        "interreflect-view-{name}-{}.toml",
+        std::process::id()
+    ));
     let text = r#"
         [camera]
         eye = [0.0, 1.0, 3.0]
@@ -63,7 +66,7 @@ fn mirrored_floor() -> CpuScene {
 
 #[test]
 fn mirrors_show_what_is_asked() {
-    let scene = mirrored_floor();
+    let scene = mirrored_floor("mirrors");
     let camera = scene.scene().camera;
     let view = |mirrors| {
         let look = Look {
@@ -103,7 +106,7 @@ fn mirrors_show_what_is_asked() {
 
 #[test]
 fn vertices_interpolate_over_their_triangles() {
-    let scene = mirrored_floor();
+    let scene = mirrored_floor("vertices");
     let camera = scene.scene().camera;
     let look = Look {
         at: ShadedAt::Vertices,
