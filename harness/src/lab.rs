@@ -131,7 +131,7 @@ impl Lab {
         let path = |p: &std::path::PathBuf| p.to_string_lossy().into_owned();
         Ok(open(&SceneRequest {
             source: source.into(),
-            receiver: options.receiver.as_ref().map(path),
+            receivers: options.receiver.iter().map(path).collect(),
             environment: options.environment.clone(),
             reference_point: options.reference_point,
             set: of_scene.collect(),

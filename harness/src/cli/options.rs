@@ -11,9 +11,10 @@ use std::path::PathBuf;
 #[derive(Clone, Debug, Default, PartialEq, Args)]
 #[command(next_help_heading = "Scene")]
 pub struct SceneOptions {
-    /// `sphere`, `torus`, `blob` or an OBJ file to take the receiver's place, scaled to its size
+    /// `sphere`, `torus`, `blob` or an OBJ file to take the receiver's place, scaled to its size;
+    /// again for scenes that take several
     #[arg(long, value_name = "FILE")]
-    pub receiver: Option<PathBuf>,
+    pub receiver: Vec<PathBuf>,
     /// Latitude-longitude image (HDR or EXR) as environment
     #[arg(long, value_name = "FILE")]
     pub environment: Option<PathBuf>,

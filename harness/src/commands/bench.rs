@@ -33,7 +33,10 @@ pub(super) fn run(
 ) -> Result<(), HarnessError> {
     let mut bench = Benching::new(command, registry)?;
     let scenes = match command.scenes.is_empty() {
-        true => library().iter().map(|s| s.name.to_owned()).collect(),
+        true => {
+            let benched = library().iter().filter(|s| s.benched);
+            benched.map(|s| s.name.to_owned()).collect()
+        }
         false => command.scenes.clone(),
     };
     // Everything that can be wrong is found before the first scene is measured.

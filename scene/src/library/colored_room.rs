@@ -120,7 +120,7 @@ impl Recipe for ColoredRoom {
     const SUMMARY: &'static str =
         "cubic room with glowing walls of six colours, a point light and a receiver";
 
-    fn build(s: &Settings, receiver: Option<&str>) -> Result<Scene, SceneError> {
+    fn build(s: &Settings, receivers: &[String]) -> Result<Scene, SceneError> {
         let mut parts = Parts::default();
         let colours = [
             [0.15, 0.3, 0.75],
@@ -145,7 +145,7 @@ impl Recipe for ColoredRoom {
                 room::block(centre, size, material),
             );
         }
-        let name = receiver.unwrap_or("sphere");
+        let name = receivers.first().map_or("sphere", String::as_str);
         let model = receiver::model(name, s.size, &s.look)?;
         let (lo, _) = model.mesh.bounds().unwrap_or_default();
         let home = match s.place {
@@ -175,7 +175,7 @@ impl Recipe for ColoredRoom {
         }
         for offset in offsets {
             let model = model.clone().moved(position + Vec3::X * offset);
-            parts.add(receiver::name_of(name), Role::Receiver, model);
+            receiver::add(&mut parts, name, model, &s.look);
         }
         let setting = Setting {
             lights: vec![Light::Point {

@@ -170,7 +170,7 @@ impl Recipe for CornellBox {
     const SUMMARY: &'static str =
         "the measured Cornell box with its two blocks; a receiver only if one is asked for";
 
-    fn build(s: &Settings, receiver: Option<&str>) -> Result<Scene, SceneError> {
+    fn build(s: &Settings, receivers: &[String]) -> Result<Scene, SceneError> {
         let mut parts = Parts::default();
         let mut room = Model {
             mesh: quads(&ROOM),
@@ -190,15 +190,11 @@ impl Recipe for CornellBox {
             parts.add("light", Role::Environment, patch);
         }
         let mut reference_point = FREE_CENTRE;
-        if let Some(name) = receiver {
+        if let Some(name) = receivers.first() {
             let model = receiver::model(name, s.size, &s.look)?;
             let (lo, _) = model.mesh.bounds().unwrap_or_default();
             reference_point = RECEIVER_FOOT - Vec3::Y * lo.y;
-            parts.add(
-                receiver::name_of(name),
-                Role::Receiver,
-                model.moved(reference_point),
-            );
+            receiver::add(&mut parts, name, model.moved(reference_point), &s.look);
         }
         let setting = Setting {
             lights: light(s).into_iter().collect(),

@@ -85,7 +85,7 @@ impl Recipe for DividedRoom {
     const SUMMARY: &'static str =
         "cubic room with a divider that hides half of it, and a glossy receiver beside the passage";
 
-    fn build(s: &Settings, receiver: Option<&str>) -> Result<Scene, SceneError> {
+    fn build(s: &Settings, receivers: &[String]) -> Result<Scene, SceneError> {
         let mut parts = Parts::default();
         let walls = [
             room::glowing([0.2, 0.45, 0.8], 1.2),
@@ -104,12 +104,12 @@ impl Recipe for DividedRoom {
             Role::Environment,
             room::block(centre, size, white),
         );
-        let name = receiver.unwrap_or("sphere");
+        let name = receivers.first().map_or("sphere", String::as_str);
         // Level with the divider's default end: its points see between nothing and all of the
         // other half.
         let position = Vec3::new(-0.47, -0.15, 0.1);
         let model = receiver::model(name, s.size, &s.look)?.moved(position);
-        parts.add(receiver::name_of(name), Role::Receiver, model);
+        receiver::add(&mut parts, name, model, &s.look);
         let setting = Setting {
             lights: vec![Light::Point {
                 position: Vec3::new(0.5, 0.45, 0.1),

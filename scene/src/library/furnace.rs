@@ -70,16 +70,16 @@ impl Recipe for Furnace {
     const SUMMARY: &'static str =
         "closed room of uniform emission around a receiver: irradiance is π wherever it is open";
 
-    fn build(s: &Settings, receiver: Option<&str>) -> Result<Scene, SceneError> {
+    fn build(s: &Settings, receivers: &[String]) -> Result<Scene, SceneError> {
         let wall = Material {
             emission: Vec3::splat(s.emission),
             ..Material::diffuse(Vec3::splat(s.albedo))
         };
         let mut parts = Parts::default();
         parts.add("walls", Role::Environment, room::walls([wall; 6]));
-        let name = receiver.unwrap_or("sphere");
+        let name = receivers.first().map_or("sphere", String::as_str);
         let model = receiver::model(name, s.size, &s.look)?;
-        parts.add(receiver::name_of(name), Role::Receiver, model);
+        receiver::add(&mut parts, name, model, &s.look);
         let setting = Setting {
             camera: Some(room::camera(Vec3::ZERO)),
             reference_point: Some(Vec3::ZERO),

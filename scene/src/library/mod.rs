@@ -3,10 +3,13 @@
 //! A scene is a `Recipe`: a name, a line about it, settings declared through
 //! [`crate::params::Params`], and a function that builds it. Adding one is one file and one line in [`library`].
 
+mod cave;
 mod colored_room;
 mod cornell_box;
 mod divided_room;
+mod dragons;
 mod furnace;
+mod pit;
 pub(crate) mod receiver;
 mod room;
 mod sky;
@@ -16,6 +19,7 @@ mod tests;
 
 pub use receiver::RECEIVERS;
 
+use crate::load::movement::Movement;
 use crate::params::{self, FieldInfo, Params, Value};
 use crate::{Scene, SceneError, SceneRequest};
 
@@ -27,8 +31,12 @@ trait Recipe {
     const NAME: &'static str;
     /// One line about it.
     const SUMMARY: &'static str;
-    /// Builds it; `receiver` is the one asked for, if any.
-    fn build(settings: &Self::Settings, receiver: Option<&str>) -> Result<Scene, SceneError>;
+    /// How many receivers it takes at most.
+    const RECEIVERS: usize = 1;
+    /// Whether it is small enough to be measured where no scene is named.
+    const BENCHED: bool = true;
+    /// Builds it; `receivers` are those asked for, at most [`Self::RECEIVERS`].
+    fn build(settings: &Self::Settings, receivers: &[String]) -> Result<Scene, SceneError>;
 }
 
 /// A scene of the library, its type erased.
@@ -38,6 +46,10 @@ pub struct LibraryScene {
     pub name: &'static str,
     /// One line about it.
     pub summary: &'static str,
+    /// How many receivers it takes at most.
+    pub receivers: usize,
+    /// Whether it is small enough to be measured, by every method, where no scene is named.
+    pub benched: bool,
     settings: fn() -> Vec<(FieldInfo, Value)>,
     open: fn(&SceneRequest) -> Result<Scene, SceneError>,
 }
@@ -47,8 +59,17 @@ impl LibraryScene {
         Self {
             name: R::NAME,
             summary: R::SUMMARY,
-            settings: || params::values(&R::Settings::default()),
-            open: |request| R::build(&request.settings()?, request.receiver.as_deref()),
+            receivers: R::RECEIVERS,
+            benched: R::BENCHED,
+            settings: || {
+                let mut settings = params::values(&R::Settings::default());
+                settings.extend(params::values(&Movement::default()));
+                settings
+            },
+            open: |request| {
+                request.at_most(R::RECEIVERS, R::NAME)?;
+                R::build(&request.settings()?, &request.receivers)
+            },
         }
     }
 
@@ -69,6 +90,9 @@ const LIBRARY: &[LibraryScene] = &[
     LibraryScene::of::<divided_room::DividedRoom>(),
     LibraryScene::of::<studio::Studio>(),
     LibraryScene::of::<furnace::Furnace>(),
+    LibraryScene::of::<cave::Cave>(),
+    LibraryScene::of::<pit::Pit>(),
+    LibraryScene::of::<dragons::Dragons>(),
 ];
 
 /// The built-in scenes.

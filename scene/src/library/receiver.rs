@@ -1,21 +1,32 @@
 //! What stands in a scene and is shaded.
 
-use crate::load::build::Model;
+use crate::load::build::{Model, Parts};
 use crate::load::obj::{self, MissingNormals};
-use crate::params::Field;
-use crate::{Material, Mesh, SceneError, shapes};
+use crate::motion::{Deformation, DeformationKind, Motion};
+use crate::params::{Choice, Field};
+use crate::{Material, Mesh, Role, SceneError, shapes};
 use glam::Vec3;
 use std::path::Path;
 
 /// The built-in receivers.
 pub const RECEIVERS: [&str; 3] = ["sphere", "torus", "blob"];
 
-/// How a receiver reflects, unless its own file says.
+/// How a receiver reflects, unless its own file says, and how it moves.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Look {
     diffuse: f32,
     specular: f32,
     shininess: f32,
+    deformation: Option<DeformationKind>,
+}
+
+impl Choice for Option<DeformationKind> {
+    const ALL: &'static [(&'static str, Self)] = &[
+        ("none", None),
+        ("twist", Some(DeformationKind::Twist)),
+        ("wave", Some(DeformationKind::Wave)),
+        ("breathe", Some(DeformationKind::Breathe)),
+    ];
 }
 
 impl Default for Look {
@@ -24,6 +35,7 @@ impl Default for Look {
             diffuse: 0.6,
             specular: 0.3,
             shininess: 5.0,
+            deformation: None,
         }
     }
 }
@@ -77,11 +89,26 @@ pub(crate) fn look_fields<P: HasLook + 'static>() -> Vec<Field<P>> {
             |p, v| p.look_mut().shininess = v,
         )
         .symbol("n"),
+        Field::choice(
+            "receiver.deformation",
+            "how the receiver's shape moves, with a period of 2 s",
+            |p: &P| p.look().deformation,
+            |p, v| p.look_mut().deformation = v,
+        ),
     ]
 }
 
+/// Adds a receiver that stands in its place.
+pub(crate) fn add(parts: &mut Parts, receiver: &str, model: Model, look: &Look) {
+    let motion = look.deformation.map(|kind| Motion {
+        deformation: Some(Deformation::new(kind)),
+        ..Motion::default()
+    });
+    parts.add_moving(name_of(receiver), Role::Receiver, model, motion);
+}
+
 /// A receiver's name in messages and reports.
-pub(crate) fn name_of(receiver: &str) -> String {
+fn name_of(receiver: &str) -> String {
     Path::new(receiver)
         .file_stem()
         .map_or(receiver.into(), |s| s.to_string_lossy().into())

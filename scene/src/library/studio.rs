@@ -5,7 +5,7 @@ use super::{Recipe, sky};
 use crate::load::build::Parts;
 use crate::load::{Setting, assemble};
 use crate::params::{Field, Params};
-use crate::{Camera, Environment, Role, Scene, SceneError};
+use crate::{Camera, Environment, Scene, SceneError};
 use glam::Vec3;
 
 pub(super) struct Studio;
@@ -50,13 +50,14 @@ impl Recipe for Studio {
     const SUMMARY: &'static str =
         "a receiver alone under an environment light: a procedural sky, or any HDR or EXR file";
 
-    fn build(s: &Settings, receiver: Option<&str>) -> Result<Scene, SceneError> {
+    fn build(s: &Settings, receivers: &[String]) -> Result<Scene, SceneError> {
         let mut parts = Parts::default();
-        let name = receiver.unwrap_or("blob");
-        parts.add(
-            receiver::name_of(name),
-            Role::Receiver,
+        let name = receivers.first().map_or("blob", String::as_str);
+        receiver::add(
+            &mut parts,
+            name,
             receiver::model(name, s.size, &s.look)?,
+            &s.look,
         );
         let setting = Setting {
             environment: Some(Environment {

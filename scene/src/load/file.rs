@@ -101,7 +101,8 @@ pub(super) fn name_fault(name: &str) -> Option<&'static str> {
 /// Replaces the receivers by the one asked for, in the middle of the other objects' bounding box.
 fn add_receiver(parts: &mut Parts, request: &SceneRequest) -> Result<(), SceneError> {
     let settings: FileSettings = request.settings()?;
-    let Some(name) = &request.receiver else {
+    request.at_most(1, &request.source)?;
+    let Some(name) = request.receivers.first() else {
         return Ok(());
     };
     parts.objects.retain(|o| o.role != Role::Receiver);
@@ -113,10 +114,7 @@ fn add_receiver(parts: &mut Parts, request: &SceneRequest) -> Result<(), SceneEr
         .filter(|s| *s > 0.0)
         .fold(f32::INFINITY, f32::min);
     let model = receiver::model(name, settings.fraction * shortest, &settings.look)?;
-    parts.add(
-        receiver::name_of(name),
-        Role::Receiver,
-        model.moved(0.5 * lo + 0.5 * hi),
-    );
+    let model = model.moved(0.5 * lo + 0.5 * hi);
+    receiver::add(parts, name, model, &settings.look);
     Ok(())
 }

@@ -4,6 +4,7 @@ pub(crate) mod build;
 mod file;
 mod framing;
 mod image;
+pub(crate) mod movement;
 mod mtl;
 pub(crate) mod obj;
 mod points;
@@ -19,6 +20,8 @@ pub use points::open_points;
 use crate::{Camera, Environment, Light, Place, Scene, SceneError, SceneMotion, library, params};
 use build::Parts;
 use glam::Vec3;
+use movement::Movement;
+use params::{ParamError, Params};
 use std::path::{Path, PathBuf};
 
 /// Which scene is wanted, and what is to be different in it.
@@ -26,10 +29,10 @@ use std::path::{Path, PathBuf};
 pub struct SceneRequest {
     /// Name of a scene of the library, or the path of a `.toml` or `.obj` file.
     pub source: String,
-    /// `sphere`, `torus`, `blob`, or the path of an `.obj` file. In a scene of the library it
+    /// Each `sphere`, `torus`, `blob`, or the path of an `.obj` file. In a scene of the library it
     /// replaces the receiver; in a scene file it replaces all receivers and stands in the middle
-    /// of the scene's bounding box.
-    pub receiver: Option<String>,
+    /// of the scene's bounding box. More than one only for scenes that take as many.
+    pub receivers: Vec<String>,
     /// An `.hdr` or `.exr` file that becomes the scene's environment.
     pub environment: Option<PathBuf>,
     /// Reference point of cube captures, in metres.
@@ -47,14 +50,55 @@ impl SceneRequest {
         }
     }
 
-    /// The scene settings as asked for, on top of their defaults.
-    pub(crate) fn settings<P: params::Params>(&self) -> Result<P, SceneError> {
+    /// The scene settings as asked for, on top of their defaults; those that every scene has are
+    /// left to [`Self::movement`].
+    pub(crate) fn settings<P: Params>(&self) -> Result<P, SceneError> {
         let mut settings = P::default();
-        for (name, value) in &self.set {
-            params::set(&mut settings, name, value)?;
+        let shared = names_of::<Movement>();
+        for (name, value) in self.set.iter().filter(|s| !shared.contains(&&*s.0)) {
+            params::set(&mut settings, name, value).map_err(|error| match error {
+                ParamError::Unknown { .. } => {
+                    let own = names_of::<P>();
+                    ParamError::unknown(name, own.into_iter().chain(shared.iter().copied()))
+                }
+                other => other,
+            })?;
         }
         Ok(settings)
     }
+
+    /// The settings that every scene has.
+    fn movement(&self) -> Result<Movement, SceneError> {
+        let mut movement = Movement::default();
+        let shared = names_of::<Movement>();
+        for (name, value) in self.set.iter().filter(|s| shared.contains(&&*s.0)) {
+            params::set(&mut movement, name, value)?;
+        }
+        Ok(movement)
+    }
+
+    /// Refuses more receivers than a scene takes.
+    pub(crate) fn at_most(&self, receivers: usize, scene: &str) -> Result<(), SceneError> {
+        let given = self.receivers.len();
+        match given <= receivers {
+            true => Ok(()),
+            false => Err(SceneError::Inconsistent {
+                scene: scene.into(),
+                what: match receivers {
+                    0 => "it takes no receiver".into(),
+                    n => format!(
+                        "it takes {n} receiver{}, not {given}",
+                        if n > 1 { "s" } else { "" }
+                    ),
+                },
+                remedy: "leave out `--receiver`, or name fewer".into(),
+            }),
+        }
+    }
+}
+
+fn names_of<P: Params>() -> Vec<&'static str> {
+    P::fields().iter().map(|f| f.info().name).collect()
 }
 
 /// Opens a scene.
@@ -62,6 +106,7 @@ impl SceneRequest {
 /// # Errors
 /// [`SceneError`], one line that says where, what and what to do, for anything that can't be used.
 pub fn open(request: &SceneRequest) -> Result<Scene, SceneError> {
+    let movement = request.movement()?;
     let path = Path::new(&request.source);
     let ending = path
         .extension()
@@ -82,6 +127,7 @@ pub fn open(request: &SceneRequest) -> Result<Scene, SceneError> {
     if let Some(o) = request.reference_point {
         scene.reference_point = o;
     }
+    movement.apply(&mut scene)?;
     let from_file = matches!(ending.as_deref(), Some("toml" | "obj"));
     match scene.validate() {
         Ok(()) => Ok(scene),

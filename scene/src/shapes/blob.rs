@@ -1,8 +1,8 @@
 //! A detailed organic shape that needs no file.
 
 use super::sphere;
+use super::waves::{gyroid, swirl};
 use crate::{Mesh, normals};
-use glam::Vec3;
 
 /// Parts into which an edge of the icosahedron is cut: 20·32² = 20 480 triangles.
 const FREQUENCY: u32 = 32;
@@ -31,15 +31,4 @@ pub fn blob() -> Mesh {
     }
     normals::smooth(&mut mesh);
     mesh
-}
-
-/// The gyroid's function, a smooth wave without a preferred direction; within ±1.5.
-fn gyroid(p: Vec3) -> f32 {
-    let (s, c) = (p.map(f32::sin), p.map(f32::cos));
-    s.dot(Vec3::new(c.y, c.z, c.x))
-}
-
-/// A smooth vector field that turns space around.
-fn swirl(p: Vec3) -> Vec3 {
-    Vec3::new((p.y + 0.7).sin(), (p.z + 1.3).sin(), (p.x + 2.1).sin())
 }

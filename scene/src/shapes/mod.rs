@@ -2,9 +2,12 @@
 
 mod blob;
 mod geodesic;
+mod grid;
+pub(crate) mod waves;
 
 pub use blob::blob;
 pub use geodesic::sphere;
+pub use grid::grid;
 
 use crate::{Mesh, conventions};
 use glam::{Vec2, Vec3};
@@ -121,6 +124,11 @@ mod tests {
         assert_eq!(signed_volume(&cuboid(size, Facing::Inward)), -6.0);
         let [a, b, c] = quad(2.0, 3.0).corners(0);
         assert!((b - a).cross(c - a).y > 0.0);
+        let grid = grid(Vec3::X, Vec3::Z, 2.0 * Vec3::X, [3, 5]);
+        assert_eq!(grid.triangles.len(), 30);
+        for t in 0..30 {
+            assert_eq!(grid.normal(t), Vec3::Y);
+        }
     }
 
     #[test]

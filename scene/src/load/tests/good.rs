@@ -131,7 +131,7 @@ fn receivers_get_smooth_normals_and_the_middle_of_the_scene() {
     )]);
     let cube = folder.path("cube.obj");
     let scene = open(&SceneRequest {
-        receiver: Some(cube.to_string_lossy().into()),
+        receivers: vec![cube.to_string_lossy().into()],
         reference_point: None,
         ..SceneRequest::new(cube.to_string_lossy())
     })
@@ -188,7 +188,7 @@ fn the_measured_box_is_framed_as_published() {
     );
     assert!((target - eye).normalize().z > 0.999 && vfov_deg == 39.3077);
     let request = SceneRequest {
-        receiver: Some("sphere".into()),
+        receivers: vec!["sphere".into()],
         ..SceneRequest::new(path.to_string_lossy())
     };
     assert_eq!(

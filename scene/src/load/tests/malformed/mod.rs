@@ -82,7 +82,7 @@ fn requests_that_name_nothing() {
     assert_eq!(
         refused(SceneRequest::new("cornel-box")),
         "there is no scene `cornel-box`, did you mean `cornell-box`?; use one of cornell-box, \
-         colored-room, divided-room, studio, furnace, or a .toml or .obj file"
+         colored-room, divided-room, studio, furnace, cave, pit, dragons, or a .toml or .obj file"
     );
     assert_eq!(
         refused(SceneRequest::new("none.obj")),
@@ -91,7 +91,7 @@ fn requests_that_name_nothing() {
     let room = SceneRequest::new("colored-room");
     assert_eq!(
         refused(SceneRequest {
-            receiver: Some("cube".into()),
+            receivers: vec!["cube".into()],
             ..room.clone()
         }),
         "there is no receiver `cube`; use one of sphere, torus, blob, or an .obj file"
