@@ -99,7 +99,7 @@ impl Seen<'_> {
 /// coarse: along silhouettes and in grazing light.
 fn ways_agree(context: &Arc<GpuContext>, file: &std::path::Path) -> Outcome {
     let scene = open(&SceneRequest {
-        receiver: Some(file.to_string_lossy().into_owned()),
+        receivers: vec![file.to_string_lossy().into_owned()],
         ..SceneRequest::new("studio")
     })?;
     let level = 1;
