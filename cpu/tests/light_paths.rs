@@ -5,7 +5,7 @@ mod support;
 use glam::Vec3;
 use interreflect_cpu::path_tracer::{LightPaths, PathQuantity, trace};
 use interreflect_cpu::scene::CpuScene;
-use interreflect_scene::{Material, Mesh, Points, Role};
+use interreflect_scene::{Material, Mesh, Points, Role, SceneRequest, open};
 use std::f32::consts::PI;
 use support::estimates::{FULL, inside, irradiance, largest_z, samples};
 use support::{cpu, glowing, object, point, points, quad, room, sphere, under, walls};
@@ -135,6 +135,47 @@ fn openness_is_one_outside_zero_in_a_closed_room_and_half_beside_a_wall() {
         openness(&cpu(&scene), &ground, absent).mean.get(0),
         Vec3::ONE
     );
+}
+
+/// Openness of a horizontal point that sees the sky through a rectangle from its zenith's corner, of
+/// sides a and b at height c: 1/(2π)[A/√(1+A²)·atan(B/√(1+A²)) + B/√(1+B²)·atan(A/√(1+B²))].
+fn seen_through(a: f64, b: f64, c: f64) -> f64 {
+    let half = |a: f64, b: f64| a / a.hypot(1.0) * (b / a.hypot(1.0)).atan();
+    let (a, b) = (a / c, b / c);
+    (half(a, b) + half(b, a)) / std::f64::consts::TAU
+}
+
+#[test]
+fn the_floor_of_the_pit_is_as_open_as_its_rectangle() {
+    let set = [("width", "1.2"), ("length", "2"), ("depth", "0.7")];
+    let request = SceneRequest {
+        set: set.map(|(n, v)| (n.into(), v.into())).into(),
+        ..SceneRequest::new("pit")
+    };
+    let scene = open(&request).expect("the library's own scene");
+    let places = [(0.0, 0.0), (0.5, 0.0), (-0.55, 0.9), (0.2, -0.8)];
+    let floor = points(places.map(|(x, z)| point(Vec3::new(x, -0.7, z), Vec3::Y)));
+    let quantity = PathQuantity::AmbientOcclusion;
+    let traced = trace(
+        &cpu(&scene),
+        &floor,
+        quantity,
+        &FULL,
+        &samples(4096),
+        5,
+        &|_| (),
+    );
+    let open_at = |i: usize| {
+        let (x, z) = (f64::from(places[i].0), f64::from(places[i].1));
+        let corners = [
+            (0.6 - x, 1.0 - z),
+            (0.6 + x, 1.0 - z),
+            (0.6 - x, 1.0 + z),
+            (0.6 + x, 1.0 + z),
+        ];
+        corners.iter().map(|(a, b)| seen_through(*a, *b, 0.7)).sum()
+    };
+    assert!(largest_z(&traced, open_at) < 4.0);
 }
 
 #[test]

@@ -67,7 +67,7 @@ pub struct List {
 #[derive(Clone, Debug, PartialEq, Args)]
 #[command(
     after_help = "Without SCENE and --estimator: every estimator, fidelity, quantity and \
-backend on the library scenes.\n\nExamples:\n  interreflect bench --out results\n  \
+backend on the small library scenes.\n\nExamples:\n  interreflect bench --out results\n  \
 interreflect bench colored-room --receiver bunny.obj --estimator localized_cubemap \
 --set fidelity=corrected\n  interreflect bench --backend cpu --json > results.json"
 )]

@@ -21,7 +21,7 @@ impl Default for Settings {
     fn default() -> Self {
         Self {
             angle_deg: 95.0,
-            intensity: 40.0,
+            intensity: 60.0,
             specular: 0.9,
         }
     }
@@ -70,17 +70,17 @@ const BALL_FREQUENCY: u32 = 10;
 
 /// Albedos of the rock, from dark to light, and of the sand on level ground.
 const ROCK: [[f32; 3]; 4] = [
-    [0.30, 0.27, 0.25],
-    [0.43, 0.36, 0.29],
-    [0.52, 0.38, 0.24],
-    [0.40, 0.43, 0.36],
+    [0.45, 0.41, 0.38],
+    [0.58, 0.50, 0.41],
+    [0.66, 0.51, 0.35],
+    [0.52, 0.56, 0.48],
 ];
-const SAND: [f32; 3] = [0.58, 0.50, 0.38];
+const SAND: [f32; 3] = [0.72, 0.64, 0.52];
 
 /// Centres and radii of boulders on the floor, in metres.
 const BOULDERS: [(Vec3, f32); 2] = [
     (Vec3::new(-0.75, -1.1, -1.35), 0.5),
-    (Vec3::new(0.95, -1.15, -0.1), 0.36),
+    (Vec3::new(0.62, -1.15, 0.75), 0.3),
 ];
 
 impl Recipe for Cave {
@@ -106,16 +106,16 @@ impl Recipe for Cave {
             }
         };
         let ball = Model::uniform(shapes::sphere(0.32, BALL_FREQUENCY), mirror);
-        let ball = ball.moved(Vec3::new(-0.1, -0.9, 0.05));
+        let ball = ball.moved(Vec3::new(0.05, -0.88, -0.25));
         parts.add("mirror ball", Role::Environment, ball);
-        let plane = Model::uniform(shapes::quad(1.0, 1.5), mirror);
-        let facing = Vec3::new(-0.75, 0.12, 0.65).normalize();
-        let plane = plane.placed(Vec3::new(1.75, -0.35, -0.95), upright(facing), 1.0);
+        let plane = Model::uniform(shapes::quad(1.3, 1.6), mirror);
+        let facing = Vec3::new(-0.9, 0.05, 0.4).normalize();
+        let plane = plane.placed(Vec3::new(1.35, -0.4, -0.7), upright(facing), 1.0);
         parts.add("mirror", Role::Environment, plane);
-        let direction = Vec3::new(-0.62, -0.5, -0.6).normalize();
+        let direction = Vec3::new(-0.7, -0.35, -0.62).normalize();
         let setting = Setting {
             lights: vec![Light::Spot {
-                position: Vec3::new(0.35, 0.75, 0.35),
+                position: Vec3::new(0.5, 0.8, 0.45),
                 direction,
                 up: (Vec3::Y - direction * direction.y).normalize(),
                 shape: SpotShape::Square,
@@ -123,11 +123,11 @@ impl Recipe for Cave {
                 intensity: Vec3::new(1.0, 0.86, 0.66) * s.intensity,
             }],
             camera: Some(Camera {
-                eye: Vec3::new(-0.9, 0.1, 2.05),
-                target: Vec3::new(0.25, -0.35, -0.6),
+                eye: Vec3::new(-0.7, 0.15, 2.05),
+                target: Vec3::new(0.1, -0.3, -0.6),
                 up: Vec3::Y,
-                vfov_deg: 68.0,
-                resolution: [512, 512],
+                vfov_deg: 62.0,
+                resolution: [640, 480],
             }),
             reference_point: Some(Vec3::new(0.0, 0.1, 0.2)),
             ..Setting::default()
@@ -150,8 +150,8 @@ fn roughness(direction: Vec3) -> f32 {
     let creased = |number: f32, phase: f32| 0.5 - gyroid(number * bent + phase).abs();
     0.10 * gyroid(2.3 * bent + 0.6)
         + 0.075 * creased(3.9, 1.7)
-        + 0.05 * creased(7.7, 4.0)
-        + 0.022 * creased(15.1, 2.2)
+        + 0.07 * creased(7.7, 4.0)
+        + 0.03 * creased(15.1, 2.2)
         + 0.008 * gyroid(29.0 * bent + 5.1)
 }
 

@@ -4,18 +4,49 @@ use super::receiver::{self, Look};
 use super::{Recipe, sky};
 use crate::load::build::{Model, Parts};
 use crate::load::{Setting, assemble};
-use crate::params::{Field, Params};
+use crate::params::{Choice, Field, Params};
 use crate::{Camera, Environment, Material, Role, Scene, SceneError, shapes};
 use glam::{Quat, Vec3};
 
 pub(super) struct Dragons;
+
+/// Where the front of a model is in its file.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+enum Front {
+    PositiveX,
+    #[default]
+    NegativeX,
+    PositiveZ,
+    NegativeZ,
+}
+
+impl Choice for Front {
+    const ALL: &'static [(&'static str, Self)] = &[
+        ("+x", Self::PositiveX),
+        ("-x", Self::NegativeX),
+        ("+z", Self::PositiveZ),
+        ("-z", Self::NegativeZ),
+    ];
+}
+
+impl Front {
+    /// Turn about +y in degrees that brings the front to +x.
+    fn turn_to_x_deg(self) -> f32 {
+        match self {
+            Self::PositiveX => 0.0,
+            Self::NegativeX => 180.0,
+            Self::PositiveZ => 90.0,
+            Self::NegativeZ => -90.0,
+        }
+    }
+}
 
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Settings {
     size: f32,
     neighbour_size: f32,
     gap: f32,
-    turn_deg: f32,
+    front: Front,
     cells: u32,
     look: Look,
 }
@@ -26,7 +57,7 @@ impl Default for Settings {
             size: 0.8,
             neighbour_size: 1.0,
             gap: 0.04,
-            turn_deg: 90.0,
+            front: Front::default(),
             cells: 96,
             look: Look::default(),
         }
@@ -62,14 +93,12 @@ impl Params for Settings {
                 |s, v| s.gap = v,
             )
             .unit("m"),
-            Field::f32(
-                "neighbours.turn",
-                "turn of the left neighbour about +y and of the right one against it: 90 turns +z to the middle",
-                -180.0..=180.0,
-                |s: &Self| s.turn_deg,
-                |s, v| s.turn_deg = v,
-            )
-            .unit("°"),
+            Field::choice(
+                "neighbours.front",
+                "where the front of the neighbours' model is, which they turn to the middle",
+                |s: &Self| s.front,
+                |s, v| s.front = v,
+            ),
             Field::u32(
                 "ground.cells",
                 "cells along each side of the ground",
@@ -103,12 +132,13 @@ impl Recipe for Dragons {
         let mut parts = Parts::default();
         receiver::add(&mut parts, middle, model, &s.look);
         let other = receiver::model(neighbour, s.neighbour_size, &s.look)?;
-        for side in [-1.0, 1.0] {
-            let turned = standing(other.clone(), -side * s.turn_deg);
-            let (left, right) = turned.mesh.bounds().unwrap_or_default();
-            let x = match side < 0.0 {
-                true => lo.x - s.gap - right.x,
-                false => hi.x + s.gap - left.x,
+        let to_right_deg = s.front.turn_to_x_deg();
+        for (left, turn_deg) in [(true, to_right_deg), (false, to_right_deg + 180.0)] {
+            let turned = standing(other.clone(), turn_deg);
+            let (low, high) = turned.mesh.bounds().unwrap_or_default();
+            let x = match left {
+                true => lo.x - s.gap - high.x,
+                false => hi.x + s.gap - low.x,
             };
             receiver::add(&mut parts, neighbour, turned.moved(Vec3::X * x), &s.look);
         }
@@ -124,11 +154,11 @@ impl Recipe for Dragons {
                 rotate_deg: 0.0,
             }),
             camera: Some(Camera {
-                eye: Vec3::new(0.0, 1.15, 3.3),
-                target: Vec3::new(0.0, 0.33, 0.0),
+                eye: Vec3::new(0.0, 1.1, 3.3),
+                target: Vec3::new(0.0, 0.26, 0.0),
                 up: Vec3::Y,
-                vfov_deg: 42.0,
-                resolution: [512, 512],
+                vfov_deg: 31.0,
+                resolution: [768, 432],
             }),
             reference_point: Some(0.5 * lo + 0.5 * hi),
             ..Setting::default()
