@@ -3,8 +3,10 @@
 use crate::error::EstimatorError;
 use glam::Vec3;
 use interreflect_cpu::{scene::CpuScene, tiles::CpuCx};
-use interreflect_gpu::{GpuContext, GpuCube, GpuCx, GpuEstimate, GpuPoints};
-use interreflect_scene::{CubeImage, CubeSpec, Estimate, Needs, Points, SceneFacts};
+use interreflect_gpu::{GpuContext, GpuCube, GpuCx, GpuEstimate, GpuLightView, GpuPoints};
+use interreflect_scene::{
+    CubeImage, CubeSpec, Estimate, LightViewImage, LightViewSpec, Needs, Points, SceneFacts,
+};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::ops::BitOr;
@@ -23,6 +25,8 @@ pub trait Backend: sealed::Sealed + Copy + Send + Sync + 'static {
     type Cx<'c>;
     /// A captured cube.
     type Cube;
+    /// Captured views from the lights.
+    type LightView;
     /// The shaded points.
     type Points;
     /// Where the estimate goes.
@@ -43,6 +47,7 @@ impl Backend for Cpu {
     type Caps = ();
     type Cx<'c> = &'c CpuCx;
     type Cube = CubeImage;
+    type LightView = LightViewImage;
     type Points = Points;
     type Out = Estimate;
     type Transport = CpuScene;
@@ -52,6 +57,7 @@ impl Backend for Gpu {
     type Caps = GpuContext;
     type Cx<'c> = GpuCx;
     type Cube = GpuCube;
+    type LightView = GpuLightView;
     type Points = GpuPoints;
     type Out = GpuEstimate;
     type Transport = std::convert::Infallible;
@@ -61,6 +67,8 @@ impl Backend for Gpu {
 pub struct Captures<B: Backend> {
     /// Cube maps around the reference point.
     pub cubes: BTreeMap<CubeSpec, B::Cube>,
+    /// Views from the lights.
+    pub light_views: BTreeMap<LightViewSpec, B::LightView>,
     /// Ray queries in the whole scene.
     pub transport: Option<std::sync::Arc<B::Transport>>,
 }
@@ -69,6 +77,7 @@ impl<B: Backend> Default for Captures<B> {
     fn default() -> Self {
         Self {
             cubes: BTreeMap::new(),
+            light_views: BTreeMap::new(),
             transport: None,
         }
     }
@@ -152,6 +161,19 @@ impl<'a, B: Backend> Inputs<'a, B> {
         self.read.borrow_mut().cubes.insert(*spec);
         let found = self.captures.cubes.get(spec);
         found.ok_or_else(|| EstimatorError::Missing(EstimatorError::cube(spec)))
+    }
+
+    /// Views from all lights.
+    ///
+    /// # Errors
+    /// [`EstimatorError::Undeclared`] if `needs` did not name them.
+    pub fn light_view(&self, spec: &LightViewSpec) -> Result<&'a B::LightView, EstimatorError> {
+        if !self.declared.light_views.contains(spec) {
+            return Err(EstimatorError::Undeclared(EstimatorError::light_view(spec)));
+        }
+        self.read.borrow_mut().light_views.insert(*spec);
+        let found = self.captures.light_views.get(spec);
+        found.ok_or_else(|| EstimatorError::Missing(EstimatorError::light_view(spec)))
     }
 
     /// Full light transport in the whole scene.

@@ -29,6 +29,12 @@ pub enum OwnModel {
         /// Reflections beyond that of the lights' light.
         bounces: u32,
     },
+    /// All places that the scene's lights' rays meet first, through mirrors too, as they reflect that
+    /// light once, all of them visible from the point.
+    FirstHitsOfLights {
+        /// They reflect by their whole material; else by Lambert's law alone.
+        directional: bool,
+    },
     /// Full light transport along these paths.
     LightTransport(LightPaths),
 }

@@ -1,5 +1,6 @@
 //! Captures by rasterisation.
 
 pub(crate) mod cube;
+pub(crate) mod light_view;
 pub(crate) mod raster;
 pub(crate) mod shadow;

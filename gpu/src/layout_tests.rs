@@ -2,7 +2,9 @@
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use crate::capture::cube::Capture;
+use crate::capture::light_view::{Frame, Views};
 use crate::coarse::Grid;
+use crate::light_view::GpuTrueColors;
 use crate::lights::{GpuLight, LightList, MAX_LIGHTS, kind};
 use crate::points::PointsInfo;
 use crate::scene::GpuMaterial;
@@ -134,7 +136,40 @@ fn structs_have_the_same_layout() {
         [position, kind, axis, limit, up, first_layer, power]
     );
     assert_layout!(&capture, "Lights", LightList, [lights, count, near]);
-    assert_layout!(&capture, "Material", GpuMaterial, [albedo, emission]);
+    assert_layout!(
+        &capture,
+        "Material",
+        GpuMaterial,
+        [albedo, shininess, emission, mirror, specular]
+    );
+    let views = module(&capture::light_view::SHADER);
+    assert_layout!(
+        &views,
+        "Frame",
+        Frame,
+        [
+            origin,
+            light,
+            axis,
+            half_extent,
+            right,
+            orthographic,
+            down,
+            near
+        ]
+    );
+    assert_layout!(
+        &views,
+        "Views",
+        Views,
+        [size, channels, triangles, ray_start]
+    );
+    assert_layout!(
+        &views,
+        "TrueColors",
+        GpuTrueColors,
+        [diffuse, shininess, specular, irradiance, to_light]
+    );
     assert_layout!(&capture, "Grid", Grid, [first, cells]);
     assert_layout!(
         &capture,

@@ -14,6 +14,7 @@ mod error;
 mod kernel;
 #[cfg(test)]
 mod layout_tests;
+mod light_view;
 mod lights;
 mod pipeline;
 mod points;
@@ -25,12 +26,14 @@ pub mod wgsl;
 
 pub use adapter::{AdapterInfo, adapters};
 pub use capture::cube::capture_cube;
+pub use capture::light_view::{MAX_MIRRORED_TRIANGLES, capture_light_views};
 pub use coarse::GpuCoarseIrradiance;
 pub use context::GpuContext;
 pub use cube::GpuCube;
 pub use cx::GpuCx;
 pub use error::GpuError;
 pub use kernel::{Binding, Kernel};
+pub use light_view::GpuLightView;
 pub use lights::MAX_LIGHTS;
 pub use pipeline::{CacheStats, Constants};
 pub use points::{GpuEstimate, GpuPoints};
@@ -39,6 +42,10 @@ pub use shader::{Shader, validate};
 pub use timestamps::{GpuTime, TimeSource};
 
 /// Every shader of this crate.
-pub fn shaders() -> [Shader; 2] {
-    [capture::cube::SHADER, capture::shadow::SHADER]
+pub fn shaders() -> [Shader; 3] {
+    [
+        capture::cube::SHADER,
+        capture::shadow::SHADER,
+        capture::light_view::SHADER,
+    ]
 }

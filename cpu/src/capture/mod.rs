@@ -1,3 +1,4 @@
 //! Captures of the scene from the host's point of view: what estimators start from.
 
 pub mod cube;
+pub mod light_view;

@@ -31,7 +31,7 @@ impl Hierarchy {
             OwnModel::MeanRadiance { bounces } | OwnModel::EnvironmentAtInfinity { bounces } => {
                 (false, bounces)
             }
-            OwnModel::LightTransport(_) => (false, 0),
+            OwnModel::FirstHitsOfLights { .. } | OwnModel::LightTransport(_) => (false, 0),
         };
         let channels = CubeChannels {
             radiance: true,

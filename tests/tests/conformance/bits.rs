@@ -19,12 +19,18 @@ pub(crate) fn trials() -> Vec<Trial> {
             let name = format!("bits/{}/{}", subject.name, variant.name());
             let one = variant.copy();
             trials.push(Trial::test(format!("{name}/cpu"), move || {
+                if !one.works_in(subject) {
+                    return Ok(());
+                }
                 threads_and_instructions(subject, &one)?;
                 prepared_again(&cpu_stage(subject), subject, &one)
             }));
             if variant.gpu().is_ok() {
                 let one = variant.copy();
                 trials.push(on_gpu(format!("{name}/gpu"), move |context| {
+                    if !one.works_in(subject) {
+                        return Ok(());
+                    }
                     let stage = gpu_stage(context, subject)?;
                     any_order(&stage, subject, &one)?;
                     prepared_again(&stage, subject, &one)

@@ -12,7 +12,9 @@ mod form_factors;
 mod moved;
 mod needs;
 mod parity;
+mod parity_views;
 mod path_reference;
+mod radiance_maps;
 mod room;
 mod room_points;
 mod room_ties;
@@ -36,6 +38,7 @@ fn main() {
         bounces::trials(),
         errata::trials(),
         form_factors::trials(),
+        radiance_maps::trials(),
         environment_maps::trials(),
         path_reference::trials(),
         room::trials(),

@@ -64,6 +64,16 @@ impl Variant {
         entry.map_err(|_| "not registered")?.gpu()
     }
 
+    /// Whether it can work in a scene; where it can't, the reason is printed.
+    pub(crate) fn works_in(&self, subject: &Subject) -> bool {
+        let needs = self
+            .method
+            .needs(self.quantity, &subject.cpu.scene().facts());
+        needs
+            .inspect_err(|why| println!("not run: {}: {why}", self.name()))
+            .is_ok()
+    }
+
     pub(crate) fn copy(&self) -> Self {
         Self {
             method: self.method.boxed_clone(),
