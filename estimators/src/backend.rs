@@ -4,9 +4,12 @@ use crate::error::EstimatorError;
 use glam::Vec3;
 use interreflect_cpu::capture::directional_depth::DirectionalDepths;
 use interreflect_cpu::{scene::CpuScene, tiles::CpuCx};
-use interreflect_gpu::{GpuContext, GpuCube, GpuCx, GpuDirectionalDepths, GpuEstimate, GpuPoints};
+use interreflect_gpu::{
+    GpuContext, GpuCube, GpuCx, GpuDirectionalDepths, GpuEstimate, GpuLightView, GpuPoints,
+};
 use interreflect_scene::{
-    CubeImage, CubeSpec, DirectionalDepthSpec, Environment, Estimate, Needs, Points, SceneFacts,
+    CubeImage, CubeSpec, DirectionalDepthSpec, Environment, Estimate, LightViewImage,
+    LightViewSpec, Needs, Points, SceneFacts,
 };
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -28,6 +31,8 @@ pub trait Backend: sealed::Sealed + Copy + Send + Sync + 'static {
     type Cube;
     /// Where depth maps along directions come from.
     type Depths;
+    /// Captured views from the lights.
+    type LightView;
     /// The shaded points.
     type Points;
     /// Where the estimate goes.
@@ -49,6 +54,7 @@ impl Backend for Cpu {
     type Cx<'c> = &'c CpuCx;
     type Cube = CubeImage;
     type Depths = DirectionalDepths;
+    type LightView = LightViewImage;
     type Points = Points;
     type Out = Estimate;
     type Transport = CpuScene;
@@ -59,6 +65,7 @@ impl Backend for Gpu {
     type Cx<'c> = GpuCx;
     type Cube = GpuCube;
     type Depths = GpuDirectionalDepths;
+    type LightView = GpuLightView;
     type Points = GpuPoints;
     type Out = GpuEstimate;
     type Transport = std::convert::Infallible;
@@ -72,6 +79,8 @@ pub struct Captures<B: Backend> {
     pub depths: BTreeMap<DirectionalDepthSpec, B::Depths>,
     /// What arrives from infinitely far away, if the scene has any.
     pub environment: Option<Environment>,
+    /// Views from the lights.
+    pub light_views: BTreeMap<LightViewSpec, B::LightView>,
     /// Ray queries in the whole scene.
     pub transport: Option<std::sync::Arc<B::Transport>>,
 }
@@ -82,6 +91,7 @@ impl<B: Backend> Default for Captures<B> {
             cubes: BTreeMap::new(),
             depths: BTreeMap::new(),
             environment: None,
+            light_views: BTreeMap::new(),
             transport: None,
         }
     }
@@ -216,6 +226,19 @@ impl<'a, B: Backend> Inputs<'a, B> {
         self.read.borrow_mut().environment = true;
         let found = self.captures.environment.as_ref();
         found.ok_or_else(|| EstimatorError::Missing(name()))
+    }
+
+    /// Views from all lights.
+    ///
+    /// # Errors
+    /// [`EstimatorError::Undeclared`] if `needs` did not name them.
+    pub fn light_view(&self, spec: &LightViewSpec) -> Result<&'a B::LightView, EstimatorError> {
+        if !self.declared.light_views.contains(spec) {
+            return Err(EstimatorError::Undeclared(EstimatorError::light_view(spec)));
+        }
+        self.read.borrow_mut().light_views.insert(*spec);
+        let found = self.captures.light_views.get(spec);
+        found.ok_or_else(|| EstimatorError::Missing(EstimatorError::light_view(spec)))
     }
 
     /// Full light transport in the whole scene.

@@ -19,6 +19,7 @@ mod registry;
 pub mod classic_envmap;
 pub mod constant_ambient;
 pub mod convolution;
+pub mod direct_radiance_map;
 pub mod directional_ao;
 pub mod localized_cubemap;
 pub mod path_reference;

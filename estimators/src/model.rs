@@ -31,6 +31,12 @@ pub enum OwnModel {
     },
     /// The environment at infinity, occluded by all surfaces, which themselves are black.
     OccludedEnvironment,
+    /// All places that the scene's lights' rays meet first, through mirrors too, as they reflect that
+    /// light once, all of them visible from the point.
+    FirstHitsOfLights {
+        /// They reflect by their whole material; else by Lambert's law alone.
+        directional: bool,
+    },
     /// Full light transport along these paths.
     LightTransport(LightPaths),
 }

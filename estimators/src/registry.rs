@@ -268,6 +268,7 @@ impl Registry {
             .with(Entry::both::<crate::phong_envmap::PhongEnvmap>())
             .with(Entry::both::<crate::localized_cubemap::LocalizedCubemap>())
             .with(Entry::both::<crate::point_form_factor::PointFormFactor>())
+            .with(Entry::both::<crate::direct_radiance_map::DirectRadianceMap>())
             .with(Entry::both::<crate::polygon_form_factor::PolygonFormFactor>())
             .with(Entry::both::<crate::directional_ao::DirectionalAo>())
             .with(Entry::cpu_only::<crate::path_reference::PathReference>())

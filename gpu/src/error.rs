@@ -131,6 +131,17 @@ pub enum GpuError {
         /// How many are needed.
         expected: u32,
     },
+    /// More triangles than mirrors in lights' views are followed through.
+    #[error(
+        "light is followed through mirrors among at most {max} triangles, the scene has {triangles}: \
+         simplify it, or use the CPU backend"
+    )]
+    MirroredTriangles {
+        /// Number of captured triangles in the scene.
+        triangles: u32,
+        /// Largest number of triangles.
+        max: u32,
+    },
     /// More lights than the light buffer holds.
     #[error("the scene has {lights} lights, the GPU capture takes at most {max}")]
     TooManyLights {

@@ -56,10 +56,15 @@ pub struct Kernel {
 impl Kernel {
     /// Records a dispatch of `workgroups` in a compute pass of its own.
     pub fn record(&self, cx: &mut GpuCx, workgroups: [u32; 3]) {
+        self.record_as(cx, self.label, workgroups);
+    }
+
+    /// As [`Kernel::record`], the pass under a label of its own.
+    pub(crate) fn record_as(&self, cx: &mut GpuCx, label: &'static str, workgroups: [u32; 3]) {
         let mut pass = cx
-            .begin(self.label)
+            .begin(label)
             .begin_compute_pass(&wgpu::ComputePassDescriptor {
-                label: Some(self.label),
+                label: Some(label),
                 timestamp_writes: None,
             });
         pass.set_pipeline(&self.pipeline.raw);

@@ -2,8 +2,9 @@
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use crate::capture::cube::Capture;
-use crate::capture::directional_depth::{Frame, Frames};
+use crate::capture::{directional_depth, light_view};
 use crate::coarse::Grid;
+use crate::light_view::GpuTrueColors;
 use crate::lights::{GpuLight, LightList, MAX_LIGHTS, kind};
 use crate::points::PointsInfo;
 use crate::scene::GpuMaterial;
@@ -135,13 +136,56 @@ fn structs_have_the_same_layout() {
         [position, kind, axis, limit, up, first_layer, power]
     );
     assert_layout!(&capture, "Lights", LightList, [lights, count, near]);
-    assert_layout!(&capture, "Material", GpuMaterial, [albedo, emission]);
+    assert_layout!(
+        &capture,
+        "Material",
+        GpuMaterial,
+        [albedo, shininess, emission, mirror, specular]
+    );
+    let views = module(&light_view::SHADER);
+    assert_layout!(
+        &views,
+        "Frame",
+        light_view::Frame,
+        [
+            origin,
+            light,
+            axis,
+            half_extent,
+            right,
+            orthographic,
+            down,
+            near
+        ]
+    );
+    assert_layout!(
+        &views,
+        "Views",
+        light_view::Views,
+        [size, channels, triangles, ray_start]
+    );
+    assert_layout!(
+        &views,
+        "TrueColors",
+        GpuTrueColors,
+        [diffuse, shininess, specular, irradiance, to_light]
+    );
     assert_layout!(&capture, "Grid", Grid, [first, cells]);
-    let depths = module(&capture::directional_depth::SHADER);
-    assert_layout!(&depths, "Frame", Frame, [right, up, towards]);
-    assert_layout!(&depths, "Frames", Frames, [centre, radius, frames]);
+    let depths = module(&directional_depth::SHADER);
+    assert_layout!(
+        &depths,
+        "Frame",
+        directional_depth::Frame,
+        [right, up, towards]
+    );
+    assert_layout!(
+        &depths,
+        "Frames",
+        directional_depth::Frames,
+        [centre, radius, frames]
+    );
     let at_once = constant(&depths, "DEPTH_MAPS_AT_ONCE");
-    assert_eq!(at_once, capture::directional_depth::DEPTH_MAPS_AT_ONCE);
+    assert_eq!(at_once, directional_depth::DEPTH_MAPS_AT_ONCE);
     assert_layout!(
         &capture,
         "Capture",

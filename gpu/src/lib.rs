@@ -14,6 +14,7 @@ mod error;
 mod kernel;
 #[cfg(test)]
 mod layout_tests;
+mod light_view;
 mod lights;
 mod pipeline;
 mod points;
@@ -28,12 +29,14 @@ pub use capture::cube::capture_cube;
 pub use capture::directional_depth::{
     DEPTH_MAPS_AT_ONCE, GpuDepthMaps, GpuDirectionalDepths, GpuOccluders, MAX_QUERIES,
 };
+pub use capture::light_view::{MAX_MIRRORED_TRIANGLES, capture_light_views};
 pub use coarse::GpuCoarseIrradiance;
 pub use context::GpuContext;
 pub use cube::GpuCube;
 pub use cx::GpuCx;
 pub use error::GpuError;
 pub use kernel::{Binding, Kernel};
+pub use light_view::GpuLightView;
 pub use lights::MAX_LIGHTS;
 pub use pipeline::{CacheStats, Constants};
 pub use points::{GpuEstimate, GpuPoints, workgroup_grid};
@@ -42,10 +45,11 @@ pub use shader::{Shader, validate};
 pub use timestamps::{GpuTime, TimeSource};
 
 /// Every shader of this crate.
-pub fn shaders() -> [Shader; 3] {
+pub fn shaders() -> [Shader; 4] {
     [
         capture::cube::SHADER,
         capture::shadow::SHADER,
         capture::directional_depth::SHADER,
+        capture::light_view::SHADER,
     ]
 }

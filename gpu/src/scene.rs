@@ -3,7 +3,7 @@
 use crate::{GpuContext, GpuError, lights};
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec3};
-use interreflect_scene::{Environment, Material, Role, Scene};
+use interreflect_scene::{self as host, Environment, LightFrame, Material, Mesh, Role, Scene};
 
 /// A corner of a triangle, as the vertex shaders read it.
 #[repr(C)]
@@ -27,10 +27,15 @@ pub(crate) const VERTEX: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferL
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub(crate) struct GpuMaterial {
     pub(crate) albedo: [f32; 3],
-    pub(crate) pad_albedo: f32,
+    pub(crate) shininess: f32,
     pub(crate) emission: [f32; 3],
-    pub(crate) pad_emission: f32,
+    pub(crate) mirror: u32,
+    pub(crate) specular: [f32; 3],
+    pub(crate) pad: f32,
 }
+
+/// The struct `Material` in WGSL.
+pub(crate) const MATERIAL: &str = include_str!("capture/material.wgsl");
 
 /// Radiance from infinity on the GPU.
 pub(crate) struct GpuEnvironment {
@@ -52,6 +57,12 @@ pub struct GpuScene {
     pub(crate) lights: Option<lights::GpuLights>,
     pub(crate) environment: Option<GpuEnvironment>,
     pub(crate) bounds: Bounds,
+    /// Box around all captured surfaces.
+    pub(crate) captured: host::Bounds,
+    /// The frames of all lights' views.
+    pub(crate) frames: Vec<LightFrame>,
+    /// Unit normals at the corners of each drawn triangle; `None` for a scene without mirrors.
+    pub(crate) corner_normals: Option<wgpu::Buffer>,
 }
 
 /// A sphere around all captured surfaces.
@@ -67,39 +78,60 @@ impl GpuScene {
     /// # Errors
     /// [`GpuError::TooManyLights`], or another [`GpuError`] if the device has no room.
     pub fn new(context: &GpuContext, scene: &Scene) -> Result<Self, GpuError> {
-        let (vertices, triangles) = vertices(scene);
+        let drawn = drawn(scene);
+        let vertices: Vec<Vertex> = drawn.iter().flat_map(Drawn::vertices).collect();
         let mut materials: Vec<_> = scene.materials.iter().map(GpuMaterial::new).collect();
         if materials.is_empty() {
             // The shaders' array has one element at least.
             materials.push(GpuMaterial::zeroed());
         }
-        let bounds = Bounds::of(&vertices);
-        let usage = wgpu::BufferUsages::VERTEX;
+        let captured = host::Bounds::of_captured(scene);
+        let bounds = Bounds::around(&captured);
+        let usage = wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::STORAGE;
         let buffer = context.filled_buffer("triangles", bytemuck::cast_slice(&vertices), usage)?;
         let environment = scene.environment.as_ref();
         Ok(Self {
             vertices: buffer,
             vertex_count: vertices.len() as u32,
-            triangles,
+            triangles: drawn.iter().map(|d| d.index).collect(),
             materials: context.storage("materials", &materials)?,
             lights: lights::GpuLights::new(context, &scene.lights, bounds)?,
             environment: environment
                 .map(|e| GpuEnvironment::new(context, e))
                 .transpose()?,
             bounds,
+            captured,
+            frames: scene.light_frames(),
+            corner_normals: corner_normals(context, scene, &drawn)?,
         })
     }
 }
 
+/// The normals by which mirrors reflect, if there are any.
+fn corner_normals(
+    context: &GpuContext,
+    scene: &Scene,
+    drawn: &[Drawn<'_>],
+) -> Result<Option<wgpu::Buffer>, GpuError> {
+    let is_mirror = |d: &Drawn<'_>| scene.materials[d.material as usize].mirror;
+    if !drawn.iter().any(is_mirror) {
+        return Ok(None);
+    }
+    let normals: Vec<_> = drawn.iter().flat_map(Drawn::corner_normals).collect();
+    context.storage("normals of corners", &normals).map(Some)
+}
+
 impl Bounds {
-    fn of(vertices: &[Vertex]) -> Self {
-        let positions = || vertices.iter().map(|v| Vec3::from(v.position));
-        let low = positions().reduce(Vec3::min).unwrap_or_default();
-        let high = positions().reduce(Vec3::max).unwrap_or_default();
+    fn around(captured: &host::Bounds) -> Self {
         Self {
-            centre: low.midpoint(high),
-            radius: 0.5 * low.distance(high),
+            centre: captured.centre(),
+            radius: captured.radius(),
         }
+    }
+
+    /// Largest distance of a surface from the origin.
+    pub(crate) fn reach(&self) -> f32 {
+        self.centre.length() + self.radius
     }
 
     /// A distance from a point so small that nothing worth seeing is nearer: 1e-6 of the way to
@@ -118,17 +150,43 @@ impl GpuMaterial {
         };
         Self {
             albedo: albedo.to_array(),
-            pad_albedo: 0.0,
+            shininess: material.shininess,
             emission: material.emission.to_array(),
-            pad_emission: 0.0,
+            mirror: u32::from(material.mirror),
+            specular: material.specular.to_array(),
+            pad: 0.0,
         }
     }
 }
 
-/// The corners of all captured triangles that have an area, and the triangles' indices, counted over
-/// all environment objects.
-fn vertices(scene: &Scene) -> (Vec<Vertex>, Vec<u32>) {
-    let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
+/// A captured triangle that has an area.
+struct Drawn<'a> {
+    /// Counted over all environment objects.
+    index: u32,
+    mesh: &'a Mesh,
+    /// Index in its mesh.
+    triangle: usize,
+    normal: DVec3,
+    material: u32,
+}
+
+impl Drawn<'_> {
+    fn vertices(&self) -> [Vertex; 3] {
+        let corners = self.mesh.corners(self.triangle);
+        corners.map(|p| Vertex::new(p, self.normal, self.material))
+    }
+
+    fn corner_normals(&self) -> [[f32; 4]; 3] {
+        let own = self.normal.as_vec3();
+        self.mesh.triangles[self.triangle].map(|v| {
+            let normal = self.mesh.normals.get(v as usize).copied();
+            normal.unwrap_or(own).extend(0.0).to_array()
+        })
+    }
+}
+
+fn drawn(scene: &Scene) -> Vec<Drawn<'_>> {
+    let mut drawn = Vec::new();
     let meshes = scene.objects_of(Role::Environment).map(|o| &o.mesh);
     let all = meshes.flat_map(|m| {
         m.materials
@@ -142,10 +200,15 @@ fn vertices(scene: &Scene) -> (Vec<Vertex>, Vec<u32>) {
         let Some(normal) = (b - a).cross(c - a).try_normalize() else {
             continue;
         };
-        triangles.push(index);
-        vertices.extend(corners.map(|p| Vertex::new(p, normal, material)));
+        drawn.push(Drawn {
+            index,
+            mesh,
+            triangle,
+            normal,
+            material,
+        });
     }
-    (vertices, triangles)
+    drawn
 }
 
 impl Vertex {

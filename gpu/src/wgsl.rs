@@ -14,6 +14,10 @@ pub const POINTS: &str = include_str!("wgsl/points.wgsl");
 /// [`MATH`].
 pub const LIGHTS: &str = include_str!("wgsl/lights.wgsl");
 
+/// What a surface in a light's view is made of: `TrueColors`, as
+/// `interreflect_scene::TrueColors`.
+pub const TRUE_COLORS: &str = include_str!("wgsl/true_colors.wgsl");
+
 /// Lookup in a latitude–longitude image, as `interreflect_scene::LatLongImage::sample`; needs
 /// [`MATH`].
 pub const LAT_LONG: &str = include_str!("wgsl/lat_long.wgsl");

@@ -5,7 +5,7 @@ use crate::metrics::check_finite;
 use crate::record::{Phases, Timing};
 use crate::stage::{Placed, Stage};
 use interreflect_estimators::{Backend, Changed, Configured, Inputs, Quantity};
-use interreflect_scene::{CubeSpec, Estimate, Needs, Points, Scene};
+use interreflect_scene::{Estimate, Needs, Points, Scene};
 
 /// An estimate and the time that it took.
 pub struct Measured {
@@ -45,7 +45,7 @@ pub fn measure<S: Stage>(
     let solve_ms = stage.solve(&needs)?;
     // Captures that are kept were made before this frame: neither they nor their pipelines cost it.
     let kept = scene.keeps_captures(needs.keep_within_m);
-    let (captures, capture_ms) = if kept || needs.cubes.is_empty() {
+    let (captures, capture_ms) = if kept || needs.no_captures() {
         (stage.capture(&needs)?.0, None)
     } else {
         compiled.repeat(stage, repeat, || stage.capture(&needs))?
@@ -96,15 +96,13 @@ pub fn measure<S: Stage>(
 
 /// What was declared and never read.
 fn unread(needs: &Needs, read: [Needs; 2]) -> Needs {
-    let was_read = |spec: &CubeSpec| read.iter().any(|r| r.cubes.contains(spec));
-    let unread = needs.cubes.iter().filter(|spec| !was_read(spec));
+    let [first, again] = &read;
     Needs {
-        cubes: unread.copied().collect(),
-        directional_depths: (needs.directional_depths.iter())
-            .filter(|spec| !read.iter().any(|r| r.directional_depths.contains(spec)))
-            .copied()
-            .collect(),
-        environment: needs.environment && !read[0].environment,
+        cubes: &(&needs.cubes - &first.cubes) - &again.cubes,
+        light_views: &(&needs.light_views - &first.light_views) - &again.light_views,
+        directional_depths: &(&needs.directional_depths - &first.directional_depths)
+            - &again.directional_depths,
+        environment: needs.environment && !first.environment,
         light_transport: needs.light_transport && !read[0].light_transport,
         ..Needs::default()
     }

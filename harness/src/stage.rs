@@ -3,6 +3,7 @@
 
 use interreflect_cpu::capture::cube::capture_cube as capture_cube_cpu;
 use interreflect_cpu::capture::directional_depth::DirectionalDepths;
+use interreflect_cpu::capture::light_view::capture_light_views as capture_light_views_cpu;
 use interreflect_cpu::path_tracer::CoarseSolution;
 use interreflect_cpu::scene::CpuScene;
 use interreflect_cpu::tiles::CpuCx;
@@ -12,6 +13,7 @@ use interreflect_estimators::{
 use interreflect_gpu::{
     GpuCoarseIrradiance, GpuContext, GpuDirectionalDepths, GpuEstimate, GpuOccluders, GpuPoints,
     GpuScene, GpuTime, TimeSource, capture_cube as capture_cube_gpu,
+    capture_light_views as capture_light_views_gpu,
 };
 use interreflect_scene::{Environment, Estimate, Needs, Points, Scene};
 use std::cell::{Cell, RefCell};
@@ -135,6 +137,11 @@ impl Stage for CpuStage<'_> {
             let cube = self.cx.install(capture);
             captures.cubes.insert(*spec, cube);
         }
+        for spec in &needs.light_views {
+            let capture = || capture_light_views_cpu(&self.scene, *spec);
+            let views = self.cx.install(capture);
+            captures.light_views.insert(*spec, views);
+        }
         let ms = milliseconds(start);
         for &spec in &needs.directional_depths {
             let depths = DirectionalDepths::new(self.scene.clone(), spec);
@@ -257,6 +264,10 @@ impl Stage for GpuStage<'_> {
                 let coarse = coarse.get(&spec.bounces).map(|(c, _)| c);
                 let cube = capture_cube_gpu(cx, &self.scene, origin, *spec, coarse)?;
                 captures.cubes.insert(*spec, cube);
+            }
+            for spec in &needs.light_views {
+                let views = capture_light_views_gpu(cx, &self.scene, *spec)?;
+                captures.light_views.insert(*spec, views);
             }
             Ok::<_, EstimatorError>(())
         })?;

@@ -3,6 +3,7 @@
 //! Everything in this crate is data and pure functions; it knows no backend. Units: metres,
 //! linear RGB, radiance in W·m⁻²·sr⁻¹; frames are right-handed.
 
+mod bounds;
 pub mod camera;
 pub mod coarse_irradiance;
 pub mod conventions;
@@ -12,6 +13,8 @@ pub mod environment;
 mod error;
 pub mod library;
 pub mod light;
+pub mod light_frame;
+pub mod light_view;
 pub mod load;
 pub mod material;
 pub mod mesh;
@@ -24,6 +27,7 @@ mod scene;
 pub mod shapes;
 mod validate;
 
+pub use bounds::Bounds;
 pub use camera::Camera;
 pub use coarse_irradiance::CoarseIrradiance;
 pub use cube_image::CubeImage;
@@ -31,10 +35,12 @@ pub use directional_depth::{BoundingSphere, DepthMap, DirectionalDepthSpec, Dire
 pub use environment::{Environment, LatLongImage};
 pub use error::{Place, SceneError};
 pub use light::{Incident, Light, SpotShape};
+pub use light_frame::{LightFrame, Projection};
+pub use light_view::{LightViewImage, TrueColors};
 pub use load::{SceneRequest, open, open_points};
 pub use material::Material;
 pub use mesh::Mesh;
 pub use motion::{Motion, Moves, SceneMotion};
-pub use needs::{CubeChannels, CubeSpec, Needs, SceneFacts};
+pub use needs::{CubeChannels, CubeSpec, LightViewChannels, LightViewSpec, Needs, SceneFacts};
 pub use points::{Estimate, LANES, Point, PointLayout, Points, SurfaceMaterial};
 pub use scene::{Object, Role, Scene};

@@ -40,6 +40,27 @@ impl CubeSpec {
     }
 }
 
+/// Channels of a light's view; what is not asked for is not captured. The surface's position is
+/// always there, and how far the light came.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct LightViewChannels {
+    /// Radiance that Lambertian reflection returns of this light alone.
+    pub radiance: bool,
+    /// Unit normal of the surface, and the cosine of the arriving light with it.
+    pub normal: bool,
+    /// The surface's reflectances, with the irradiance and its direction.
+    pub true_colors: bool,
+}
+
+/// A view from every light of the scene, one ray through each texel's centre.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct LightViewSpec {
+    /// Texels along the edge of a view; a light may have several views.
+    pub size: u32,
+    /// What each texel holds.
+    pub channels: LightViewChannels,
+}
+
 /// Everything a method reads beyond its points. A capture that was not declared can't be read;
 /// one that was declared and never read fails conformance.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -50,11 +71,20 @@ pub struct Needs {
     pub directional_depths: BTreeSet<DirectionalDepthSpec>,
     /// The radiance that arrives from infinitely far away.
     pub environment: bool,
+    /// Views from the lights, each readable by the spec that asked for it.
+    pub light_views: BTreeSet<LightViewSpec>,
     /// Ray queries and full light transport in the whole scene (CPU only).
     pub light_transport: bool,
     /// Captures made elsewhere will do, up to this distance in metres from the reference point; 0:
     /// each frame has its own.
     pub keep_within_m: f32,
+}
+
+impl Needs {
+    /// Whether nothing is to be captured.
+    pub fn no_captures(&self) -> bool {
+        self.cubes.is_empty() && self.light_views.is_empty()
+    }
 }
 
 /// What a method may know of a scene when it says what it needs.

@@ -3,6 +3,7 @@
 use super::raster::{Drawing, RASTER, begin_pass};
 use super::shadow::{SHADOW_MAPS, record_shadow_maps};
 use crate::pipeline::{Raster, RenderSpec};
+use crate::scene::MATERIAL;
 use crate::{
     Binding, GpuCoarseIrradiance, GpuCube, GpuCx, GpuError, GpuScene, Shader, scene, wgsl,
 };
@@ -19,6 +20,7 @@ pub(crate) const SHADER: Shader = Shader {
         wgsl::LIGHTS,
         RASTER,
         SHADOW_MAPS,
+        MATERIAL,
         include_str!("coarse.wgsl"),
         include_str!("cube.wgsl"),
     ],

@@ -1,5 +1,5 @@
 // Cube captures: radiance, distance and normal along the rays through texel centres.
-// Needs the parts MATH, CUBE, LAT_LONG, LIGHTS, RASTER and SHADOW_MAPS, and coarse.wgsl.
+// Needs the parts MATH, CUBE, LAT_LONG, LIGHTS, RASTER and SHADOW_MAPS, MATERIAL, and coarse.wgsl.
 
 struct Capture {
     // Reference point in metres.
@@ -11,11 +11,6 @@ struct Capture {
     environment_scale: f32,
     // Cosine and sine of the environment's rotation about +y.
     environment_turn: vec2f,
-}
-
-struct Material {
-    albedo: vec3f,
-    emission: vec3f,
 }
 
 @group(0) @binding(0) var<uniform> capture: Capture;

@@ -60,3 +60,9 @@ fn write_estimate(index: u32, value: vec3f) {
     estimate[base + LANES] = value.y;
     estimate[base + 2u * LANES] = value.z;
 }
+
+// The estimate of a point, as it is so far.
+fn read_estimate(index: u32) -> vec3f {
+    let base = (index / LANES) * ESTIMATE_PLANES * LANES + index % LANES;
+    return vec3f(estimate[base], estimate[base + LANES], estimate[base + 2u * LANES]);
+}

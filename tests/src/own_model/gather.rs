@@ -3,7 +3,7 @@
 use super::hierarchy::Hierarchy;
 use super::near::{Receiver, near};
 use super::node::{Node, Square};
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use interreflect_cpu::lane::{Lane, Vector, WIDTH, Wide};
 use interreflect_cpu::tiles::{PointLanes, TileKernel};
 use interreflect_estimators::Quantity;
@@ -21,7 +21,7 @@ const FAR_BY_SHININESS: f32 = 16.0;
 
 /// Height above a flat node's plane, over its distance from the reference point, up to which a
 /// point counts as lying in the plane: it may be off it by rounding to f32, and must not see it.
-const IN_PLANE: f32 = 2e-6;
+pub(super) const IN_PLANE: f32 = 2e-6;
 
 /// Gathers one quantity from a hierarchy.
 pub(super) struct Gather<'a> {
@@ -32,13 +32,13 @@ pub(super) struct Gather<'a> {
 }
 
 /// Sixteen points, relative to the reference point.
-struct Tile {
+pub(super) struct Tile {
     x: Vector<Wide>,
     n: Vector<Wide>,
     /// 1 where there is a surface, else 0.
-    alive: [f32; WIDTH],
+    pub(super) alive: [f32; WIDTH],
     far: f32,
-    near: f32,
+    pub(super) near: f32,
     /// There where some point has a specular lobe.
     lobe: Option<Lobe>,
 }
@@ -50,20 +50,42 @@ struct Lobe {
 
 /// Sums of power times geometry, and of that times the lobe (N·H)ⁿ.
 #[derive(Clone, Copy)]
-struct Sums {
-    diffuse: [Wide; 3],
-    specular: [Wide; 3],
+pub(super) struct Sums {
+    pub(super) diffuse: [Wide; 3],
+    pub(super) specular: [Wide; 3],
 }
 
 /// A node as sixteen points see it.
-struct Seen {
+pub(super) struct Seen {
     /// From the points to the node, not normalised.
-    r: Vector<Wide>,
-    r2: Wide,
+    pub(super) r: Vector<Wide>,
+    pub(super) r2: Wide,
     /// Length of `r` times the cosine at the point.
-    above: Wide,
+    pub(super) above: Wide,
     /// Length of `r` times the cosine at the node.
-    facing: Wide,
+    pub(super) facing: Wide,
+}
+
+impl Sums {
+    #[inline(always)]
+    pub(super) fn zero() -> Self {
+        Self {
+            diffuse: [Wide::splat(0.0); 3],
+            specular: [Wide::splat(0.0); 3],
+        }
+    }
+
+    /// What the points' materials reflect of the sums.
+    #[inline(always)]
+    pub(super) fn reflected(&self, points: &PointLanes<'_>) -> [Wide; 3] {
+        let shininess = points.plane(PointLayout::SHININESS).0;
+        let norm = Wide(shininess.map(|n| blinn_phong_normalisation(f64::from(n)) as f32));
+        std::array::from_fn(|c| {
+            let kd = points.plane(PointLayout::DIFFUSE + c) * Wide::splat(FRAC_1_PI);
+            let ks = points.plane(PointLayout::SPECULAR + c) * norm;
+            kd * self.diffuse[c] + ks * self.specular[c]
+        })
+    }
 }
 
 impl<'a> Gather<'a> {
@@ -72,34 +94,6 @@ impl<'a> Gather<'a> {
             hierarchy,
             glossy: quantity == Quantity::GlossyRadiance,
             far,
-        }
-    }
-
-    #[inline(always)]
-    fn tile(&self, points: &PointLanes<'_>) -> Tile {
-        let alive = points.plane(PointLayout::MASK).0;
-        let origin = self.hierarchy.origin.as_vec3().to_array();
-        let shines = |i: usize| (0..3).any(|c| points.plane(PointLayout::SPECULAR + c).0[i] > 0.0);
-        let (mut far, mut near) = (self.far, NEAR);
-        let mut lobe = None;
-        if self.glossy {
-            let shininess = points.plane(PointLayout::SHININESS);
-            for i in (0..WIDTH).filter(|&i| alive[i] > 0.0 && shines(i)) {
-                far = far.max(FAR_BY_SHININESS * shininess.0[i]);
-                near = near.max(0.5 * FAR_BY_SHININESS * shininess.0[i]);
-                lobe = Some(Lobe {
-                    view: points.vector(PointLayout::VIEW),
-                    shininess,
-                });
-            }
-        }
-        Tile {
-            x: points.vector(PointLayout::POSITION) - Vector::splat(origin),
-            n: points.vector(PointLayout::NORMAL),
-            alive,
-            far,
-            near,
-            lobe,
         }
     }
 
@@ -145,8 +139,37 @@ impl<'a> Gather<'a> {
 }
 
 impl Tile {
+    /// Points relative to `origin`; `glossy`: with the lobes of those that have one.
     #[inline(always)]
-    fn look(&self, node: &Node) -> Seen {
+    pub(super) fn new(points: &PointLanes<'_>, origin: DVec3, glossy: bool, far: f32) -> Self {
+        let alive = points.plane(PointLayout::MASK).0;
+        let shines = |i: usize| (0..3).any(|c| points.plane(PointLayout::SPECULAR + c).0[i] > 0.0);
+        let (mut far, mut near) = (far, NEAR);
+        let mut lobe = None;
+        if glossy {
+            let shininess = points.plane(PointLayout::SHININESS);
+            for i in (0..WIDTH).filter(|&i| alive[i] > 0.0 && shines(i)) {
+                far = far.max(FAR_BY_SHININESS * shininess.0[i]);
+                near = near.max(0.5 * FAR_BY_SHININESS * shininess.0[i]);
+                lobe = Some(Lobe {
+                    view: points.vector(PointLayout::VIEW),
+                    shininess,
+                });
+            }
+        }
+        let origin = origin.as_vec3().to_array();
+        Self {
+            x: points.vector(PointLayout::POSITION) - Vector::splat(origin),
+            n: points.vector(PointLayout::NORMAL),
+            alive,
+            far,
+            near,
+            lobe,
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn look(&self, node: &Node) -> Seen {
         let centre = Vector::splat(node.centre.to_array());
         let (r, r2) = match node.at_infinity {
             true => (centre, Wide::splat(1.0)),
@@ -160,9 +183,16 @@ impl Tile {
         }
     }
 
-    /// Adds a far node by the point kernel: power × cosine × cosine' / distance².
+    /// Adds a far node by the point kernel.
     #[inline(always)]
     fn add(&self, node: &Node, seen: &Seen, sums: &mut Sums) {
+        let power = node.power.to_array().map(|p| Wide([p; WIDTH]));
+        self.add_power(node, power, seen, sums);
+    }
+
+    /// Adds a far node by the point kernel: power × cosine × cosine' / distance².
+    #[inline(always)]
+    pub(super) fn add_power(&self, node: &Node, power: [Wide; 3], seen: &Seen, sums: &mut Sums) {
         let zero = Wide::splat(0.0);
         let above = seen.above.max(zero);
         let geometry = match node.at_infinity {
@@ -172,19 +202,15 @@ impl Tile {
                 above * seen.facing.max(zero) / r4
             }
         };
-        accumulate(&mut sums.diffuse, node.power, geometry);
+        accumulate(&mut sums.diffuse, power, geometry);
         let Some(lobe) = &self.lobe else { return };
-        let unit = |v: Vector<Wide>| {
-            let tiny = Wide::splat(f64::from(f32::MIN_POSITIVE));
-            v.scale(Wide::splat(1.0) / v.dot(v).max(tiny).sqrt())
-        };
         let cos_half = self.n.dot(unit(unit(seen.r) + lobe.view));
         let lobe = cos_half.min(Wide::splat(1.0)).lobe_power(lobe.shininess);
-        accumulate(&mut sums.specular, node.power, geometry * lobe);
+        accumulate(&mut sums.specular, power, geometry * lobe);
     }
 
     /// Point `i` in double precision.
-    fn receiver(&self, i: usize) -> Receiver {
+    pub(super) fn receiver(&self, i: usize) -> Receiver {
         let at = |v: &Vector<Wide>| Vec3::new(v.x.0[i], v.y.0[i], v.z.0[i]).as_dvec3();
         let lobe = self.lobe.as_ref();
         Receiver {
@@ -196,7 +222,7 @@ impl Tile {
 
     /// The largest value of any point.
     #[inline(always)]
-    fn largest(&self, values: Wide) -> f32 {
+    pub(super) fn largest(&self, values: Wide) -> f32 {
         let mut v = values.0;
         for (v, alive) in v.iter_mut().zip(&self.alive) {
             *v = if *alive > 0.0 { *v } else { f32::NEG_INFINITY };
@@ -211,26 +237,30 @@ impl Tile {
 
     /// The smallest value of any point.
     #[inline(always)]
-    fn smallest(&self, values: Wide) -> f32 {
+    pub(super) fn smallest(&self, values: Wide) -> f32 {
         -self.largest(-values)
     }
 }
 
 #[inline(always)]
-fn accumulate(sums: &mut [Wide; 3], power: Vec3, geometry: Wide) {
-    for (sum, power) in sums.iter_mut().zip(power.to_array()) {
-        *sum = *sum + geometry * Wide::splat(f64::from(power));
+fn accumulate(sums: &mut [Wide; 3], power: [Wide; 3], geometry: Wide) {
+    for (sum, power) in sums.iter_mut().zip(power) {
+        *sum = *sum + geometry * power;
     }
+}
+
+/// A vector of length 1.
+#[inline(always)]
+pub(super) fn unit(v: Vector<Wide>) -> Vector<Wide> {
+    let tiny = Wide::splat(f64::from(f32::MIN_POSITIVE));
+    v.scale(Wide::splat(1.0) / v.dot(v).max(tiny).sqrt())
 }
 
 impl TileKernel for Gather<'_> {
     #[inline(always)]
     fn shade(&self, points: &PointLanes<'_>) -> [Wide; 3] {
-        let tile = self.tile(points);
-        let zero = Sums {
-            diffuse: [Wide::splat(0.0); 3],
-            specular: [Wide::splat(0.0); 3],
-        };
+        let tile = Tile::new(points, self.hierarchy.origin, self.glossy, self.far);
+        let zero = Sums::zero();
         let mut total = zero;
         let mut stack = Vec::new();
         for root in self.hierarchy.roots() {
@@ -245,12 +275,6 @@ impl TileKernel for Gather<'_> {
         if !self.glossy {
             return total.diffuse;
         }
-        let shininess = points.plane(PointLayout::SHININESS).0;
-        let norm = Wide(shininess.map(|n| blinn_phong_normalisation(f64::from(n)) as f32));
-        std::array::from_fn(|c| {
-            let kd = points.plane(PointLayout::DIFFUSE + c) * Wide::splat(FRAC_1_PI);
-            let ks = points.plane(PointLayout::SPECULAR + c) * norm;
-            kd * total.diffuse[c] + ks * total.specular[c]
-        })
+        total.reflected(points)
     }
 }

@@ -31,7 +31,9 @@ impl Hierarchy {
             OwnModel::MeanRadiance { bounces } | OwnModel::EnvironmentAtInfinity { bounces } => {
                 (false, bounces)
             }
-            OwnModel::OccludedEnvironment | OwnModel::LightTransport(_) => (false, 0),
+            OwnModel::OccludedEnvironment
+            | OwnModel::FirstHitsOfLights { .. }
+            | OwnModel::LightTransport(_) => (false, 0),
         };
         let channels = CubeChannels {
             radiance: true,

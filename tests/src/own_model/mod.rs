@@ -3,10 +3,12 @@
 //! The surroundings of the reference point are captured in small patches, each a planar quad at
 //! its surface's place or a bundle of directions at infinity, and merged four by four into a
 //! hierarchy (`hierarchy.rs`). Every point gathers from all of them: far nodes by the point kernel, near ones
-//! by the exact polygon kernel (`gather.rs`).
+//! by the exact polygon kernel (`gather.rs`). Places that lights shine on first are patches of the
+//! lights' views, all of them summed (`lit.rs`).
 
 mod gather;
 mod hierarchy;
+mod lit;
 mod near;
 mod node;
 mod split;
@@ -22,6 +24,7 @@ use interreflect_cpu::tiles::CpuCx;
 use interreflect_estimators::path_reference::path_quantity;
 use interreflect_estimators::{OwnModel, Quantity};
 use interreflect_scene::{Estimate, Material, Points};
+use lit::{Lit, PATCHES};
 
 /// A model's value at each point, with how far it may be off.
 pub struct ModelValues {
@@ -66,6 +69,9 @@ pub fn evaluate(
         let paths = OwnModel::LightTransport(LightPaths::default());
         return evaluate(cx, paths, quantity, &black, points, stop, seed);
     }
+    if let OwnModel::FirstHitsOfLights { directional } = model {
+        return lit_values(cx, directional, quantity, scene, points);
+    }
     let integral = |size, far| {
         let hierarchy = cx.install(|| Hierarchy::new(model, scene, size));
         let mut values = Estimate::new(points.len());
@@ -73,14 +79,9 @@ pub fn evaluate(
         values
     };
     let values = integral(PATCH_RESOLUTION, FAR);
-    let coarse = integral(PATCH_RESOLUTION / 2, FAR / 4.0);
-    let mut error = Estimate::new(points.len());
-    for i in 0..points.len() {
-        error.set(i, (values.get(i) - coarse.get(i)).abs());
-    }
     ModelValues {
+        error: change(&values, &integral(PATCH_RESOLUTION / 2, FAR / 4.0)),
         values,
-        error,
         description: format!("integral over 6×{PATCH_RESOLUTION}² patches"),
     }
 }
@@ -94,4 +95,33 @@ fn black(scene: &CpuScene) -> CpuScene {
         .iter_mut()
         .for_each(|m| *m = Material::diffuse(Vec3::ZERO));
     CpuScene::new(&black).expect("a scene that was checked before")
+}
+
+fn lit_values(
+    cx: &CpuCx,
+    directional: bool,
+    quantity: Quantity,
+    scene: &CpuScene,
+    points: &Points,
+) -> ModelValues {
+    let integral = |patches| {
+        let lit = cx.install(|| Lit::new(scene, directional, quantity, patches));
+        let mut values = Estimate::new(points.len());
+        cx.for_each_tile(points, &mut values, &lit);
+        values
+    };
+    let values = integral(PATCHES);
+    ModelValues {
+        error: change(&values, &integral(PATCHES / 4)),
+        values,
+        description: format!("integral over about {PATCHES} patches in the lights' views"),
+    }
+}
+
+fn change(values: &Estimate, coarse: &Estimate) -> Estimate {
+    let mut error = Estimate::new(values.len());
+    for i in 0..values.len() {
+        error.set(i, (values.get(i) - coarse.get(i)).abs());
+    }
+    error
 }

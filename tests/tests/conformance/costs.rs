@@ -4,8 +4,9 @@ use crate::ensure;
 use crate::subjects::{SUBJECTS, Subject};
 use crate::world::{Outcome, Variant, captures, gpu_stage, on_gpu, variants};
 use interreflect::stage::{Placed, Stage};
+use interreflect_cpu::scene::CpuScene;
 use interreflect_estimators::{Changed, Inputs, Quantity};
-use interreflect_gpu::{GpuContext, GpuError, capture_cube};
+use interreflect_gpu::{GpuContext, GpuError, capture_cube, capture_light_views};
 use interreflect_scene::conventions::CUBE_FACES;
 use interreflect_scene::{CubeSpec, Needs, Point, Points};
 use libtest_mimic::{Failed, Trial};
@@ -16,14 +17,13 @@ pub(crate) fn trials() -> Vec<Trial> {
         on_gpu("costs/no_shadow_pass_without_lights".into(), shadows),
         on_gpu("costs/no_place_without_surfaces".into(), places),
         on_gpu("costs/no_lobes_without_speculars".into(), lobes),
+        on_gpu("costs/no_mirror_pass_without_mirrors".into(), mirrors),
     ]
 }
 
 /// Every method that runs on the device.
 fn on_device() -> impl Iterator<Item = Variant> {
-    let runs = |v: &Variant, s: &Subject| v.unsupported_on_gpu(s).is_none();
-    let all = variants(32).into_iter();
-    all.filter(move |v| [0, 3, 4].iter().all(|&s| runs(v, &SUBJECTS[s])))
+    variants(32).into_iter().filter(|v| v.gpu().is_ok())
 }
 
 /// Labels of the passes that making the captures takes.
@@ -37,6 +37,9 @@ fn capture_passes(
     let (passes, _) = context.record("capture", |cx| {
         for spec in &needs.cubes {
             capture_cube(cx, &stage.scene, origin, *spec, None)?;
+        }
+        for spec in &needs.light_views {
+            capture_light_views(cx, &stage.scene, *spec)?;
         }
         Ok::<_, GpuError>(cx.passes().to_vec())
     })?;
@@ -89,6 +92,9 @@ fn shadows(context: &Arc<GpuContext>) -> Outcome {
     );
     for variant in on_device() {
         for (subject, expected) in [(lit, true), (unlit, false)] {
+            if !variant.runs_in(subject) {
+                continue;
+            }
             let facts = subject.cpu.scene().facts();
             let needs = variant.method.needs(variant.quantity, &facts)?;
             let passes = capture_passes(context, subject, &needs)?;
@@ -115,6 +121,9 @@ fn places(context: &Arc<GpuContext>) -> Outcome {
             variant.method.needs(variant.quantity, &facts)
         };
         let has_place = |c: &CubeSpec| c.channels.distance || c.channels.normal;
+        if !variant.runs_in(sky) {
+            continue;
+        }
         let needs = needs_in(sky)?;
         ensure!(
             !needs.cubes.iter().any(has_place),
@@ -139,7 +148,8 @@ fn places(context: &Arc<GpuContext>) -> Outcome {
 fn lobes(context: &Arc<GpuContext>) -> Outcome {
     let subject: &Subject = &SUBJECTS[0];
     let mut fewer = 0;
-    for variant in on_device().filter(|v| v.quantity == Quantity::GlossyRadiance) {
+    let glossy = |v: &Variant| v.quantity == Quantity::GlossyRadiance && v.runs_in(subject);
+    for variant in on_device().filter(glossy) {
         let of = |shines: bool| {
             let points = subject.points(variant.quantity.layout());
             let dull = |p: Point| {
@@ -160,5 +170,46 @@ fn lobes(context: &Arc<GpuContext>) -> Outcome {
         fewer += usize::from(without.len() < with.len());
     }
     ensure!(fewer > 0, "no method has a pass for lobes");
+    Ok(())
+}
+
+/// Label of the pass that mirrors in lights' views need.
+const MIRRORS: &str = "mirrors in light views";
+
+/// Pictures from the lights take one pass a view, one that finds what is lit, no shadow maps; and
+/// one that follows mirrors where the scene has some.
+fn mirrors(context: &Arc<GpuContext>) -> Outcome {
+    let plain: &Subject = &SUBJECTS[1];
+    let mut scene = plain.cpu.scene().clone();
+    for material in &mut scene.materials {
+        material.mirror = true;
+    }
+    let mirrored = plain.with_scene(Arc::new(CpuScene::new(&scene)?));
+    let mut pictured = 0;
+    for variant in on_device().filter(|v| v.runs_in(plain)) {
+        for (subject, expected) in [(plain, false), (&mirrored, true)] {
+            let facts = subject.cpu.scene().facts();
+            let needs = variant.method.needs(variant.quantity, &facts)?;
+            let only = Needs {
+                light_views: needs.light_views,
+                ..Needs::default()
+            };
+            let passes = capture_passes(context, subject, &only)?;
+            let views = subject.cpu.scene().light_frames().len();
+            let each = views + 1 + usize::from(expected);
+            ensure!(
+                passes.len() == each * only.light_views.len(),
+                "{}: {passes:?}",
+                variant.name()
+            );
+            ensure!(
+                passes.contains(&MIRRORS) == (expected && !only.light_views.is_empty()),
+                "{}: {passes:?}",
+                variant.name()
+            );
+            pictured += only.light_views.len();
+        }
+    }
+    ensure!(pictured > 0, "no method takes pictures from lights");
     Ok(())
 }

@@ -13,7 +13,9 @@ mod moved;
 mod needs;
 mod openness;
 mod parity;
+mod parity_views;
 mod path_reference;
+mod radiance_maps;
 mod room;
 mod room_points;
 mod room_ties;
@@ -38,6 +40,7 @@ fn main() {
         bounces::trials(),
         errata::trials(),
         form_factors::trials(),
+        radiance_maps::trials(),
         environment_maps::trials(),
         openness::trials(),
         visibility::trials(),

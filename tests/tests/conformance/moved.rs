@@ -111,7 +111,7 @@ fn kept_or_not<S: Stage>(
         let measured = measure(&stage(&moved)?, scene, method, quantity, &points, 1)?;
         let timed = measured.phases.capture.is_some();
         ensure!(
-            timed != (kept || needs.cubes.is_empty()),
+            timed != (kept || needs.no_captures()),
             "kept: {kept}, and a capture is timed: {timed}"
         );
         let like = if kept { &at_home } else { subject };

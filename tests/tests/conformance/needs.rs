@@ -6,7 +6,7 @@ use crate::world::{Outcome, Variant, captures, cpu_stage, gpu_stage, ignored, on
 use interreflect::measure::measure;
 use interreflect::stage::{Placed, Stage};
 use interreflect_estimators::{Captures, Changed, EstimatorError, Inputs};
-use interreflect_scene::{CubeChannels, CubeSpec, Needs};
+use interreflect_scene::{CubeChannels, CubeSpec, LightViewChannels, LightViewSpec, Needs};
 use libtest_mimic::{Failed, Trial};
 
 pub(crate) fn trials() -> Vec<Trial> {
@@ -62,6 +62,11 @@ fn all_read<S: Stage>(stage: &S, subject: &Subject, variant: &Variant) -> Outcom
             "asks for the place of surfaces, where there are none: {spec:?}"
         );
     }
+    ensure!(
+        needs.light_views.is_empty() || scene.facts().surfaces && scene.facts().lights > 0,
+        "asks for pictures where no light or no surface is: {:?}",
+        needs.light_views
+    );
     Ok(())
 }
 
@@ -85,11 +90,23 @@ fn nothing_else<S: Stage>(stage: &S, subject: &Subject, variant: &Variant) -> Ou
     };
     let others = [spec(3, false), spec(3, true)];
     more.cubes.extend(others);
+    let view = |size, normal| LightViewSpec {
+        size,
+        channels: LightViewChannels {
+            normal,
+            ..LightViewChannels::default()
+        },
+    };
+    let other_views = [view(3, false), view(3, true)];
+    more.light_views.extend(other_views);
     let captures: Captures<S::Backend> = stage.capture(&more)?.0;
     let origin = (facts, scene.reference_point);
     let inputs = Inputs::new(&declared, &captures, &placed, &points, origin, Changed::ALL);
     for spec in others {
         refused(inputs.cube(&spec))?;
+    }
+    for spec in other_views {
+        refused(inputs.light_view(&spec))?;
     }
     if !declared.light_transport {
         refused(inputs.light_transport())?;

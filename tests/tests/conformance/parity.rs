@@ -1,6 +1,7 @@
 //! The two backends against each other: fed the same captures, then each its own.
 
 use crate::ensure;
+use crate::parity_views::views_apart;
 use crate::subjects::{SUBJECTS, Subject};
 use crate::world::{
     Outcome, Variant, bounced, captures, cpu_stage, estimate, gpu_stage, ignored, on_gpu, switched,
@@ -8,9 +9,9 @@ use crate::world::{
 };
 use interreflect_conformance::tolerance::Tolerance;
 use interreflect_estimators::{Captures, Cpu, Gpu};
-use interreflect_gpu::{GpuContext, GpuCube};
+use interreflect_gpu::{GpuContext, GpuCube, GpuLightView};
 use interreflect_scene::conventions::{CUBE_FACES, texel_index, texel_solid_angle_sr};
-use interreflect_scene::{CubeImage, Estimate};
+use interreflect_scene::{CubeImage, Estimate, LightViewImage};
 use libtest_mimic::{Failed, Trial};
 use std::sync::{Arc, LazyLock};
 
@@ -147,7 +148,9 @@ fn largest(estimate: &Estimate) -> f64 {
 }
 
 fn texels(captures: &Captures<Cpu>) -> usize {
-    captures.cubes.values().map(CubeImage::texels).sum()
+    let cubes = captures.cubes.values().map(CubeImage::texels);
+    let views = captures.light_views.values().map(LightViewImage::texels);
+    cubes.chain(views).sum()
 }
 
 fn upload(context: &GpuContext, from: &Captures<Cpu>) -> Result<Captures<Gpu>, Failed> {
@@ -164,6 +167,15 @@ fn upload(context: &GpuContext, from: &Captures<Cpu>) -> Result<Captures<Gpu>, F
         );
         captures.cubes.insert(*spec, cube);
     }
+    for (spec, views) in &from.light_views {
+        let views = GpuLightView::upload(context, views)?;
+        ensure!(
+            views.spec() == *spec,
+            "uploaded {spec:?} became {:?}",
+            views.spec()
+        );
+        captures.light_views.insert(*spec, views);
+    }
     Ok(captures)
 }
 
@@ -174,6 +186,9 @@ fn download(context: &GpuContext, from: &Captures<Gpu>) -> Result<Captures<Cpu>,
     };
     for (spec, cube) in &from.cubes {
         captures.cubes.insert(*spec, cube.download(context)?);
+    }
+    for (spec, views) in &from.light_views {
+        captures.light_views.insert(*spec, views.download(context)?);
     }
     Ok(captures)
 }
@@ -209,6 +224,10 @@ fn captures_apart(a: &Captures<Cpu>, b: &Captures<Cpu>) -> Result<f64, Failed> {
             "captures of {spec:?} differ over {differently_sr:.4} sr"
         );
         bound += NEARER * flux;
+    }
+    for (spec, a) in &a.light_views {
+        let b = b.light_views.get(spec);
+        bound += views_apart(a, b.ok_or("a capture of one backend only")?)?;
     }
     Ok(bound)
 }

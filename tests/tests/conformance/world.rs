@@ -85,6 +85,11 @@ impl Variant {
         opened.err().map(|why| why.to_string())
     }
 
+    /// Whether it can run in a scene on the device that is there.
+    pub(crate) fn runs_in(&self, subject: &Subject) -> bool {
+        self.unsupported_on_gpu(subject).is_none()
+    }
+
     pub(crate) fn copy(&self) -> Self {
         Self {
             method: self.method.boxed_clone(),

@@ -3,6 +3,7 @@
 mod classic_envmap;
 mod constant_ambient;
 mod convolution;
+mod direct_radiance_map;
 mod directional_ao;
 mod localized_cubemap;
 mod point_form_factor;
@@ -27,6 +28,8 @@ pub(super) const CPU_ONLY: &[(&str, &str)] = &[
     ("localized_cubemap", "texel_omega_shader"),
     ("localized_cubemap", "disc_area"),
     ("localized_cubemap", "cap_mean"),
+    ("direct_radiance_map", "equal_angle_texel"),
+    ("direct_radiance_map", "hemisphere_share"),
 ];
 
 /// WGSL's accuracy, in units in the last place of 2⁻²³: 2.5 for a division, about 3 for a square
@@ -90,6 +93,7 @@ pub(super) fn twins() -> impl Iterator<Item = &'static Twin> {
         reflection::TWINS,
         localized_cubemap::TWINS,
         point_form_factor::TWINS,
+        direct_radiance_map::TWINS,
         polygon_form_factor::TWINS,
         texels::TWINS,
         sh_mip_envmap::TWINS,

@@ -1,0 +1,221 @@
+//! Direct radiance maps on the CPU.
+
+use super::math::{omega_corrected, omega_published, towards_photon};
+use super::samples::{Highlight, Photon, photons};
+use super::{DirectRadianceMap, DirectRadianceMapParams, Formula};
+use crate::texels::math::{cos_half, lobe_normalisation, normalised_reflectivity};
+use crate::{Changed, Cpu, Estimator, EstimatorError, Inputs, Quantity};
+use interreflect_cpu::lane::{Lane, Vector, WIDTH, Wide};
+use interreflect_cpu::tiles::{CpuCx, PointLanes, TileKernel};
+use interreflect_scene::{Estimate, PointLayout, Points};
+use std::f64::consts::FRAC_1_PI;
+
+/// The photons, kept across frames.
+#[derive(Default)]
+pub struct State {
+    photons: Option<(Vec<Photon>, Vec<Highlight>)>,
+}
+
+impl Estimator<Cpu> for DirectRadianceMap {
+    type State = State;
+
+    fn prepare(
+        params: &DirectRadianceMapParams,
+        state: &mut State,
+        _cx: &mut &CpuCx,
+        _quantity: Quantity,
+        inputs: &Inputs<'_, Cpu>,
+        _out: &Estimate,
+    ) -> Result<(), EstimatorError> {
+        let stale = inputs.changed.any(Changed::PARAMS | Changed::CAPTURES);
+        if stale || state.photons.is_none() {
+            let views = inputs.light_view(&params.captured())?;
+            state.photons = Some(photons(params, views));
+        }
+        Ok(())
+    }
+
+    fn shade(
+        params: &DirectRadianceMapParams,
+        state: &mut State,
+        cx: &mut &CpuCx,
+        quantity: Quantity,
+        inputs: &Inputs<'_, Cpu>,
+        out: &mut Estimate,
+    ) -> Result<(), EstimatorError> {
+        let kept = state.photons.as_ref().ok_or(EstimatorError::Unprepared)?;
+        let (photons, highlights) = kept;
+        let (cx, points) = (*cx, inputs.points);
+        match params.formula() {
+            Formula::Constant => {
+                let sum = Sum::<Constant>::new(photons, highlights);
+                sum.run(cx, (params.shining(), quantity), points, out);
+            }
+            Formula::Published => {
+                let sum = Sum::<Published>::new(photons, highlights);
+                sum.run(cx, (params.shining(), quantity), points, out);
+            }
+            Formula::Corrected => {
+                let sum = Sum::<Corrected>::new(photons, highlights);
+                sum.run(cx, (params.shining(), quantity), points, out);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The solid angle in sr of a photon.
+trait Omega: Sync {
+    fn omega(extent: Wide, r2: Wide, cos_surface: Wide) -> Wide;
+}
+
+struct Constant;
+struct Published;
+struct Corrected;
+
+impl Omega for Constant {
+    #[inline(always)]
+    fn omega(extent: Wide, _r2: Wide, _cos_surface: Wide) -> Wide {
+        extent
+    }
+}
+
+impl Omega for Published {
+    #[inline(always)]
+    fn omega(extent: Wide, r2: Wide, cos_surface: Wide) -> Wide {
+        omega_published(extent, r2, cos_surface)
+    }
+}
+
+impl Omega for Corrected {
+    #[inline(always)]
+    fn omega(extent: Wide, r2: Wide, cos_surface: Wide) -> Wide {
+        omega_corrected(extent, r2, cos_surface)
+    }
+}
+
+struct Sum<'a, F> {
+    photons: &'a [Photon],
+    highlights: &'a [Highlight],
+    formula: std::marker::PhantomData<F>,
+}
+
+#[inline(always)]
+fn splat(v: f32) -> Wide {
+    Wide([v; WIDTH])
+}
+
+#[inline(always)]
+fn accumulate(sum: &mut [Wide; 3], radiance: [Wide; 3], weight: Wide) {
+    for (sum, radiance) in sum.iter_mut().zip(radiance) {
+        *sum = *sum + weight * radiance;
+    }
+}
+
+impl<'a, F: Omega> Sum<'a, F> {
+    fn new(photons: &'a [Photon], highlights: &'a [Highlight]) -> Self {
+        Self {
+            photons,
+            highlights,
+            formula: std::marker::PhantomData,
+        }
+    }
+
+    fn run(
+        self,
+        cx: &CpuCx,
+        (shining, quantity): (bool, Quantity),
+        points: &Points,
+        out: &mut Estimate,
+    ) {
+        match (shining, quantity == Quantity::GlossyRadiance) {
+            (false, false) => cx.for_each_tile(points, out, &Irradiance::<_, false>(self)),
+            (true, false) => cx.for_each_tile(points, out, &Irradiance::<_, true>(self)),
+            (false, true) => cx.for_each_tile(points, out, &Diffuse(self)),
+            (true, true) => cx.for_each_tile(points, out, &Glossy(self)),
+        }
+    }
+
+    /// Direction to a photon, its solid angle in sr and its radiance towards the points.
+    #[inline(always)]
+    fn seen<const SHINING: bool>(
+        &self,
+        index: usize,
+        x: Vector<Wide>,
+    ) -> (Vector<Wide>, Wide, [Wide; 3]) {
+        let photon = &self.photons[index];
+        let (i, r2) = towards_photon(Vector::splat(photon.position), x);
+        let normal = Vector::splat(photon.normal);
+        let omega = F::omega(splat(photon.extent), r2, -i.dot(normal));
+        let mut radiance = photon.radiance.map(splat);
+        if SHINING {
+            let highlight = &self.highlights[index];
+            let cos_half = cos_half(normal, Vector::splat(highlight.to_light), -i);
+            let lobe = cos_half.lobe_power(splat(photon.shininess));
+            accumulate(&mut radiance, highlight.radiance.map(splat), lobe);
+        }
+        (i, omega, radiance)
+    }
+
+    /// E = Σ L·(n·ω)⁺·Δω.
+    #[inline(always)]
+    fn irradiance<const SHINING: bool>(&self, points: &PointLanes<'_>) -> [Wide; 3] {
+        let x = points.vector(PointLayout::POSITION);
+        let n = points.vector(PointLayout::NORMAL);
+        let zero = Wide::splat(0.0);
+        let mut sum = [zero; 3];
+        for index in 0..self.photons.len() {
+            let (i, omega, radiance) = self.seen::<SHINING>(index, x);
+            accumulate(&mut sum, radiance, omega * n.dot(i).max(zero));
+        }
+        sum
+    }
+}
+
+struct Irradiance<'a, F, const SHINING: bool>(Sum<'a, F>);
+
+impl<F: Omega, const SHINING: bool> TileKernel for Irradiance<'_, F, SHINING> {
+    #[inline(always)]
+    fn shade(&self, points: &PointLanes<'_>) -> [Wide; 3] {
+        self.0.irradiance::<SHINING>(points)
+    }
+}
+
+/// k_d/π·E: where photons are Lambertian, the points are too.
+struct Diffuse<'a, F>(Sum<'a, F>);
+
+impl<F: Omega> TileKernel for Diffuse<'_, F> {
+    #[inline(always)]
+    fn shade(&self, points: &PointLanes<'_>) -> [Wide; 3] {
+        let irradiance = self.0.irradiance::<false>(points);
+        let over_pi = Wide::splat(FRAC_1_PI);
+        std::array::from_fn(|c| points.plane(PointLayout::DIFFUSE + c) * over_pi * irradiance[c])
+    }
+}
+
+/// Σ L·f_r·(n·ω)⁺·Δω with the points' own lobes.
+struct Glossy<'a, F>(Sum<'a, F>);
+
+impl<F: Omega> TileKernel for Glossy<'_, F> {
+    #[inline(always)]
+    fn shade(&self, points: &PointLanes<'_>) -> [Wide; 3] {
+        let x = points.vector(PointLayout::POSITION);
+        let n = points.vector(PointLayout::NORMAL);
+        let v = points.vector(PointLayout::VIEW);
+        let shininess = points.plane(PointLayout::SHININESS);
+        let normalisation = lobe_normalisation(shininess);
+        let zero = [Wide::splat(0.0); 3];
+        let (mut diffuse, mut specular) = (zero, zero);
+        for index in 0..self.0.photons.len() {
+            let (i, omega, radiance) = self.0.seen::<true>(index, x);
+            let half = cos_half(n, i, v);
+            let (d, s) = normalised_reflectivity(n.dot(i), half, shininess, normalisation);
+            accumulate(&mut diffuse, radiance, d * omega);
+            accumulate(&mut specular, radiance, s * omega);
+        }
+        std::array::from_fn(|c| {
+            points.plane(PointLayout::DIFFUSE + c) * diffuse[c]
+                + points.plane(PointLayout::SPECULAR + c) * specular[c]
+        })
+    }
+}

@@ -1,0 +1,259 @@
+//! Direct radiance maps on the GPU.
+
+use super::samples::{Highlight, Photon, samples};
+use super::{DirectRadianceMap, DirectRadianceMapParams, Formula};
+use crate::texels::gpu::LEAVES as TEXEL_LEAVES;
+use crate::{Changed, Estimator, EstimatorError, Gpu, Inputs, LOBE_POWER, Quantity};
+use bytemuck::{Pod, Zeroable};
+use interreflect_gpu::{GpuContext, GpuCx, GpuEstimate, GpuLightView, Kernel, Shader, wgsl};
+
+const LEAVES: &str = include_str!("math.wgsl");
+const PHOTON: &str = include_str!("photon.wgsl");
+
+const PHOTONS: Shader = Shader {
+    label: "direct_radiance_map photons",
+    parts: &[
+        wgsl::MATH,
+        wgsl::TRUE_COLORS,
+        LOBE_POWER,
+        TEXEL_LEAVES,
+        LEAVES,
+        PHOTON,
+        include_str!("photons.wgsl"),
+    ],
+};
+
+const fn shade_parts(photons: &'static str) -> [&'static str; 8] {
+    [
+        wgsl::MATH,
+        wgsl::POINTS,
+        LOBE_POWER,
+        TEXEL_LEAVES,
+        LEAVES,
+        PHOTON,
+        photons,
+        include_str!("shade.wgsl"),
+    ]
+}
+
+const SHADE: [Shader; 2] = [
+    Shader {
+        label: "direct_radiance_map shade, uniform photons",
+        parts: &shade_parts(include_str!("photons_uniform.wgsl")),
+    },
+    Shader {
+        label: "direct_radiance_map shade, stored photons",
+        parts: &shade_parts(include_str!("photons_storage.wgsl")),
+    },
+];
+
+/// Photons that the uniform buffer of photons_uniform.wgsl holds: 48 KiB of the 64 that WebGPU
+/// guarantees.
+pub(super) const UNIFORM_PHOTONS: usize = 1024;
+
+/// Photons that one dispatch sums: lavapipe ends the loops of an invocation after 65,535 turns.
+const PART: u32 = 1 << 15;
+
+/// The photons and the kernels of the parts of their sum, kept across frames.
+#[derive(Default)]
+pub struct State {
+    photons: Option<GpuPhotons>,
+    shade: Vec<Kernel>,
+}
+
+struct GpuPhotons {
+    photons: wgpu::Buffer,
+    highlights: wgpu::Buffer,
+    count: u32,
+}
+
+/// As `Gather` in photons.wgsl.
+#[repr(C)]
+#[derive(Clone, Copy, Pod, Zeroable)]
+pub(super) struct Gather {
+    pub(super) samples: u32,
+    pub(super) per_side: u32,
+    pub(super) size: u32,
+    pub(super) diagonal2: f32,
+}
+
+/// As `Shade` in shade.wgsl.
+#[repr(C)]
+#[derive(Clone, Copy, Pod, Zeroable)]
+pub(super) struct Shade {
+    pub(super) first: u32,
+    pub(super) count: u32,
+    pub(super) adds: u32,
+    pub(super) pad: u32,
+}
+
+impl GpuPhotons {
+    /// Records the making of photons.
+    fn new(
+        params: &DirectRadianceMapParams,
+        cx: &mut GpuCx,
+        views: &GpuLightView,
+    ) -> Result<Self, EstimatorError> {
+        let context = cx.context().clone();
+        let samples = samples(params, views.frames());
+        let count = samples.len() as u32;
+        let gather = Gather {
+            samples: count,
+            per_side: params.samples_per_side,
+            size: params.map_resolution,
+            diagonal2: views.bounds().diagonal().powi(2),
+        };
+        let gather = context.uniform("direct_radiance_map photons", &gather)?;
+        let places = context.storage("samples of light views", &samples)?;
+        let shining = if params.shining() { samples.len() } else { 1 };
+        let bytes = shining * size_of::<Highlight>();
+        let made = Self {
+            photons: photon_buffer(&context, samples.len())?,
+            highlights: context.storage_zeroed("highlights", bytes as u64)?,
+            count,
+        };
+        let bindings = [
+            (&gather).into(),
+            (&places).into(),
+            views.position().into(),
+            views.radiance().into(),
+            views.normal().into(),
+            views.true_colors().into(),
+            (&made.photons).into(),
+            (&made.highlights).into(),
+        ];
+        let extent_kind = match (params.formula(), params.shares_hemisphere()) {
+            (_, true) => 0.0,
+            (Formula::Constant, _) => 1.0,
+            _ => 2.0,
+        };
+        let flag = |on: bool| f64::from(u8::from(on));
+        let constants = [
+            ("extent_kind", extent_kind),
+            ("shining", flag(params.shining())),
+            ("normals_known", flag(params.captured().channels.normal)),
+        ];
+        let per_view = params.samples_per_side.pow(2);
+        let (entry, workgroups) = match params.mip {
+            true => ("gather_means", [per_view, views.frames().len() as u32, 1]),
+            false => ("gather_middles", [count.div_ceil(64), 1, 1]),
+        };
+        let kernel = context.kernel_with(&PHOTONS, entry, &constants, &bindings)?;
+        kernel.record(cx, workgroups);
+        Ok(made)
+    }
+}
+
+impl Estimator<Gpu> for DirectRadianceMap {
+    type State = State;
+
+    const SHADERS: &'static [Shader] = &[PHOTONS, SHADE[0], SHADE[1]];
+
+    fn prepare(
+        params: &DirectRadianceMapParams,
+        state: &mut State,
+        cx: &mut GpuCx,
+        quantity: Quantity,
+        inputs: &Inputs<'_, Gpu>,
+        out: &GpuEstimate,
+    ) -> Result<(), EstimatorError> {
+        let stale = inputs.changed.any(Changed::PARAMS | Changed::CAPTURES);
+        if stale || state.photons.is_none() {
+            let views = inputs.light_view(&params.captured())?;
+            state.photons = Some(GpuPhotons::new(params, cx, views)?);
+        }
+        let photons = state.photons.as_ref().ok_or(EstimatorError::Unprepared)?;
+        let entry = match (params.shining(), quantity == Quantity::GlossyRadiance) {
+            (false, false) => "irradiance",
+            (false, true) => "diffuse",
+            (true, false) => "irradiance_shining",
+            (true, true) => "glossy_shining",
+        };
+        let formula = match params.formula() {
+            Formula::Constant => 0.0,
+            Formula::Published => 1.0,
+            Formula::Corrected => 2.0,
+        };
+        let context = cx.context();
+        let shader = &SHADE[usize::from(photons.count as usize > UNIFORM_PHOTONS)];
+        let [points, info, estimate] = inputs.points.bindings(out);
+        state.shade.clear();
+        for first in (0..photons.count).step_by(PART as usize) {
+            let shade = Shade {
+                first,
+                count: PART.min(photons.count - first),
+                adds: u32::from(first > 0),
+                pad: 0,
+            };
+            let shade = context.uniform("direct_radiance_map shade", &shade)?;
+            let bindings = [
+                points,
+                info,
+                estimate,
+                (&shade).into(),
+                (&photons.photons).into(),
+                (&photons.highlights).into(),
+            ];
+            let constants = [("formula", formula)];
+            let kernel = context.kernel_with(shader, entry, &constants, &bindings)?;
+            state.shade.push(kernel);
+        }
+        Ok(())
+    }
+
+    fn shade(
+        _params: &DirectRadianceMapParams,
+        state: &mut State,
+        cx: &mut GpuCx,
+        _quantity: Quantity,
+        inputs: &Inputs<'_, Gpu>,
+        _out: &mut GpuEstimate,
+    ) -> Result<(), EstimatorError> {
+        if state.shade.is_empty() {
+            return Err(EstimatorError::Unprepared);
+        }
+        for part in &state.shade {
+            part.record(cx, inputs.points.workgroups());
+        }
+        Ok(())
+    }
+}
+
+/// A buffer of photons that shaders write as storage and read as storage or, if short, as a uniform
+/// array of its full length.
+fn photon_buffer(context: &GpuContext, count: usize) -> Result<wgpu::Buffer, EstimatorError> {
+    let descriptor = wgpu::BufferDescriptor {
+        label: Some("photons"),
+        size: (count.max(UNIFORM_PHOTONS) * size_of::<Photon>()) as u64,
+        usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::UNIFORM,
+        mapped_at_creation: false,
+    };
+    let made = context.checked("photons", || context.device().create_buffer(&descriptor));
+    Ok(made?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::samples::{Highlight, Photon, Sample};
+    use super::*;
+    use crate::layout::{array_length, assert_layout, module};
+
+    #[test]
+    fn structs_have_the_same_layout() {
+        assert_layout!(PHOTONS, Gather, [samples, per_side, size, diagonal2]);
+        assert_layout!(PHOTONS, Sample, [texel, measure, parallel, share_sr]);
+        assert_layout!(
+            PHOTONS,
+            Photon,
+            [position, extent, radiance, pad, normal, shininess]
+        );
+        assert_layout!(PHOTONS, Highlight, [radiance, pad, to_light, pad_to_light]);
+        assert_layout!(SHADE[0], Shade, [first, count, adds, pad]);
+    }
+
+    #[test]
+    fn the_uniform_buffer_is_as_long_as_the_host_takes_it() {
+        let length = array_length(&module(&SHADE[0]), "photons");
+        assert_eq!(length, Some(UNIFORM_PHOTONS as u32));
+    }
+}

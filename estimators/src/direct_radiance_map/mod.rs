@@ -1,0 +1,114 @@
+//! Direct radiance maps (Frisvad, Frisvad, Christensen, Falster: *Direct Radiance Mapping*): a
+//! picture taken from the light shows what is lit, and nothing else; a few of its texels are small
+//! lights that shine on every point.
+
+mod cpu;
+mod gpu;
+pub mod math;
+mod params;
+mod samples;
+
+use crate::{Info, Method, OwnModel, Quantity, Unsupported};
+use interreflect_scene::params::Fidelity;
+use interreflect_scene::{LightViewChannels, LightViewSpec, Needs, SceneFacts};
+
+pub use params::{DirectRadianceMapParams, SolidAngle, Surface, TexelOf};
+
+/// The method.
+pub struct DirectRadianceMap;
+
+impl Method for DirectRadianceMap {
+    type Params = DirectRadianceMapParams;
+
+    const INFO: Info = Info {
+        id: "direct_radiance_map",
+        title: "Direct radiance maps",
+        source: "J. R. Frisvad, R. R. Frisvad, N. J. Christensen, P. Falster: Direct Radiance Mapping",
+    };
+
+    const QUANTITIES: &'static [Quantity] = &[Quantity::Irradiance, Quantity::GlossyRadiance];
+
+    fn needs(
+        params: &Self::Params,
+        _quantity: Quantity,
+        scene: &SceneFacts,
+    ) -> Result<Needs, Unsupported> {
+        let (n, w) = (params.samples_per_side, params.map_resolution);
+        if n > w {
+            return Err(Unsupported(format!(
+                "samples_per_side is {n} and the pictures have {w}×{w} texels: raise \
+                 map_resolution to {n} or take fewer samples"
+            )));
+        }
+        if scene.lights == 0 {
+            return Err(Unsupported(
+                "pictures are taken from lights: the scene needs a point, spot, directional or \
+                 area light"
+                    .into(),
+            ));
+        }
+        if !scene.surfaces {
+            return Err(Unsupported(
+                "there is no surface that the lights could shine on: add an environment object"
+                    .into(),
+            ));
+        }
+        Ok(Needs {
+            light_views: [params.captured()].into(),
+            ..Needs::default()
+        })
+    }
+
+    fn model(params: &Self::Params, _quantity: Quantity) -> OwnModel {
+        OwnModel::FirstHitsOfLights {
+            directional: params.shining(),
+        }
+    }
+}
+
+/// What a photon counts from a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Formula {
+    /// The same solid angle in sr from everywhere: equations 11 and 15.
+    Constant,
+    /// Equation 14.
+    Published,
+    /// The disc formula.
+    Corrected,
+}
+
+impl DirectRadianceMapParams {
+    /// The views that are sampled. Equations 11 and 15 know no normals.
+    fn captured(&self) -> LightViewSpec {
+        let shining = self.shining();
+        LightViewSpec {
+            size: self.map_resolution,
+            channels: LightViewChannels {
+                radiance: !shining,
+                normal: shining || self.formula() != Formula::Constant,
+                true_colors: shining,
+            },
+        }
+    }
+
+    /// Whether lit surfaces reflect by their whole material.
+    fn shining(&self) -> bool {
+        self.surface == Surface::BlinnPhong
+    }
+
+    fn formula(&self) -> Formula {
+        match (self.fidelity, self.solid_angle) {
+            (Fidelity::Corrected, _) => Formula::Corrected,
+            (Fidelity::Published, SolidAngle::Eq14) => Formula::Published,
+            (Fidelity::Published, _) => Formula::Constant,
+        }
+    }
+
+    /// Whether a photon's solid angle is the same whatever its area.
+    fn shares_hemisphere(&self) -> bool {
+        (self.fidelity, self.solid_angle) == (Fidelity::Published, SolidAngle::Eq11)
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,242 @@
+//! Frames of the views from the lights: squares of texels through which rays leave a light.
+
+use crate::{Bounds, Light, Scene, conventions};
+use glam::{DVec3, Vec3};
+
+/// How the rays of a view leave the light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Projection {
+    /// From one point.
+    Perspective,
+    /// Side by side.
+    Orthographic,
+}
+
+/// A square of texels through which rays leave a light. Its vectors are unit and orthogonal.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LightFrame {
+    /// Index of the light in the scene.
+    pub light: u32,
+    /// Where rays leave: the light, or for parallel light the middle of a square before the scene.
+    pub origin: Vec3,
+    /// Middle of the view.
+    pub axis: Vec3,
+    /// Direction in which s grows, with the column.
+    pub right: Vec3,
+    /// Direction in which t grows, with the row.
+    pub down: Vec3,
+    /// Perspective: tangent of half the view's full angle γ; orthographic: half its width in metres.
+    pub half: f32,
+    /// How the rays leave.
+    pub projection: Projection,
+}
+
+impl LightFrame {
+    /// Start in metres and unit direction of the ray through (s, t) ∈ [−1, 1]².
+    pub fn ray(&self, s: f64, t: f64) -> (DVec3, DVec3) {
+        let (start, along) = self.ray_through(s, t);
+        (start, along.normalize())
+    }
+
+    /// As [`Self::ray`], the direction not normalised: its component along the axis is 1.
+    pub fn ray_through(&self, s: f64, t: f64) -> (DVec3, DVec3) {
+        let across = (self.right.as_dvec3() * s + self.down.as_dvec3() * t) * f64::from(self.half);
+        let (origin, axis) = (self.origin.as_dvec3(), self.axis.as_dvec3());
+        match self.projection {
+            Projection::Perspective => (origin, axis + across),
+            Projection::Orthographic => (origin + across, axis),
+        }
+    }
+
+    /// The view's full angle γ in radians; 0 for parallel rays.
+    pub fn full_angle(&self) -> f64 {
+        match self.projection {
+            Projection::Perspective => 2.0 * f64::from(self.half).atan(),
+            Projection::Orthographic => 0.0,
+        }
+    }
+
+    /// What the bundle of rays through one of `size`² cells measures: its exact solid angle in sr,
+    /// or its cross-section in m² where rays are parallel.
+    ///
+    /// The solid angle is the difference over the cell's corners (a, b), as tangents, of
+    /// atan2(a·b, √(a² + b² + 1)).
+    pub fn cell_measure(&self, size: u32, column: u32, row: u32) -> f64 {
+        let half = f64::from(self.half);
+        match self.projection {
+            Projection::Orthographic => (2.0 * half / f64::from(size)).powi(2),
+            Projection::Perspective => {
+                let edge = |i: u32| half * (2.0 * f64::from(i) / f64::from(size) - 1.0);
+                let corner = |a: f64, b: f64| (a * b).atan2((a * a + b * b + 1.0).sqrt());
+                let (a0, a1) = (edge(column), edge(column + 1));
+                let (b0, b1) = (edge(row), edge(row + 1));
+                corner(a1, b1) - corner(a0, b1) - corner(a1, b0) + corner(a0, b0)
+            }
+        }
+    }
+}
+
+impl Light {
+    /// The frames of the views that together see all that the light may shine on: of a spot one
+    /// square of its full angle around its axis, of a point light the six faces of a cube, of an
+    /// area light the five faces of a cube that look into its half-space, of a directional light
+    /// one square around the sphere of `bounds`. Where a view is wider than the light, its rays
+    /// carry none: [`Light::incident`] says so.
+    pub fn frames(&self, light: u32, bounds: &Bounds) -> Vec<LightFrame> {
+        let frame = |origin, axis, right, down, half| LightFrame {
+            light,
+            origin,
+            axis,
+            right,
+            down,
+            half,
+            projection: Projection::Perspective,
+        };
+        match *self {
+            Self::Point { position, .. } => (0..conventions::CUBE_FACES)
+                .map(|face| {
+                    let (axis, s, t) = conventions::cube_frame(face);
+                    frame(position, axis.as_vec3(), s.as_vec3(), t.as_vec3(), 1.0)
+                })
+                .collect(),
+            Self::Spot {
+                position,
+                direction,
+                up,
+                angle_deg,
+                ..
+            } => {
+                let half = (0.5 * angle_deg.to_radians()).tan();
+                let right = direction.cross(up);
+                vec![frame(position, direction, right, -up, half)]
+            }
+            Self::Area {
+                position, normal, ..
+            } => {
+                let (u, v) = normal.any_orthonormal_pair();
+                let front = frame(position, normal, u, v, 1.0);
+                let sides = [(u, v), (-u, v), (v, u), (-v, u)];
+                let sides = sides.map(|(axis, s)| frame(position, axis, s, normal, 1.0));
+                [vec![front], sides.to_vec()].concat()
+            }
+            Self::Directional { direction, .. } => {
+                let (u, v) = direction.any_orthonormal_pair();
+                // A little more than the sphere, so that its rim lies inside the view.
+                let half = (1.01 * bounds.radius()).max(f32::MIN_POSITIVE);
+                let origin = bounds.centre() - direction * half;
+                vec![LightFrame {
+                    projection: Projection::Orthographic,
+                    ..frame(origin, direction, u, v, half)
+                }]
+            }
+        }
+    }
+}
+
+impl Scene {
+    /// The frames of all lights' views, light by light.
+    pub fn light_frames(&self) -> Vec<LightFrame> {
+        let bounds = Bounds::of_captured(self);
+        let lights = (0..).zip(&self.lights);
+        lights.flat_map(|(i, l)| l.frames(i, &bounds)).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::SpotShape;
+    use std::f64::consts::PI;
+
+    fn frames(light: &Light) -> Vec<LightFrame> {
+        let bounds = Bounds {
+            low: -Vec3::ONE,
+            high: Vec3::new(1.0, 2.0, 3.0),
+        };
+        light.frames(0, &bounds)
+    }
+
+    fn solid_angle(frames: &[LightFrame], size: u32) -> f64 {
+        let cells = (0..size * size).map(|i| (i % size, i / size));
+        let of = |f: &LightFrame| -> f64 {
+            let measure = |(column, row)| f.cell_measure(size, column, row);
+            cells.clone().map(measure).sum()
+        };
+        frames.iter().map(of).sum()
+    }
+
+    #[test]
+    fn views_fill_what_a_light_shines_into() {
+        let (position, one) = (Vec3::new(0.3, 0.2, 0.1), Vec3::ONE);
+        let point = Light::Point {
+            position,
+            intensity: one,
+        };
+        let area = Light::Area {
+            position,
+            normal: Vec3::new(0.6, 0.0, 0.8),
+            area_m2: 1.0,
+            flux: one,
+        };
+        let spot = Light::Spot {
+            position,
+            direction: Vec3::X,
+            up: Vec3::Y,
+            shape: SpotShape::Square,
+            angle_deg: 90.0,
+            intensity: one,
+        };
+        for (light, expected) in [
+            (point, 4.0 * PI),
+            (area, 10.0 / 3.0 * PI),
+            (spot, 2.0 / 3.0 * PI),
+        ] {
+            let found = solid_angle(&frames(&light), 8);
+            // The spot's tangent is rounded to f32.
+            assert!((found / expected - 1.0).abs() < 1e-6, "{light:?}: {found}");
+        }
+    }
+
+    #[test]
+    fn rays_of_a_directional_light_pass_all_of_the_scene() {
+        let light = Light::Directional {
+            direction: Vec3::new(0.0, -0.6, 0.8),
+            irradiance: Vec3::ONE,
+        };
+        let [frame] = frames(&light)[..] else {
+            panic!("one view")
+        };
+        for corner in [
+            -Vec3::ONE,
+            Vec3::new(1.0, 2.0, 3.0),
+            Vec3::new(-1.0, 2.0, 3.0),
+        ] {
+            let offset = corner - frame.origin;
+            assert!(offset.dot(frame.axis) > 0.0, "{corner}");
+            for across in [frame.right, frame.down] {
+                assert!(offset.dot(across).abs() <= frame.half, "{corner}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_sides_of_an_area_light_meet_its_front() {
+        let light = Light::Area {
+            position: Vec3::ZERO,
+            normal: Vec3::Y,
+            area_m2: 1.0,
+            flux: Vec3::ONE,
+        };
+        let frames = frames(&light);
+        for frame in &frames {
+            let orthogonal = [
+                frame.axis.dot(frame.right),
+                frame.axis.dot(frame.down),
+                frame.right.dot(frame.down),
+            ];
+            assert!(orthogonal.iter().all(|d| d.abs() < 1e-6), "{frame:?}");
+        }
+        let middles: Vec3 = frames[1..].iter().map(|f| f.axis).sum();
+        assert!(middles.length() < 1e-6, "{middles}");
+    }
+}

@@ -1,0 +1,77 @@
+use super::*;
+use interreflect_estimators::direct_radiance_map::math as map;
+
+pub(super) const TWINS: &[Twin] = &[
+    twin!(
+        "direct_radiance_map",
+        "towards_photon",
+        "let t = towards_photon(vec3f(a[0], a[1], a[2]), vec3f(a[3], a[4], a[5]));\n\
+         outputs[id.x] = vec4f(t.i, t.r2);",
+        over_lanes!(|a| {
+            let (i, r2) = map::towards_photon(vector(a, 0), vector(a, 3));
+            vec![i.x, i.y, i.z, r2]
+        }),
+        places,
+        ulps(
+            10,
+            1.0,
+            "a difference of exact numbers, divided by its own length"
+        )
+    ),
+    twin!(
+        "direct_radiance_map",
+        "area_across",
+        "outputs[id.x] = vec4f(area_across(a[0], a[1]), 0.0, 0.0, 0.0);",
+        over_lanes!(|a| vec![map::area_across(a[0], a[1])]),
+        || grid(&[&[1e-4, 0.3, 3.0], &[1e-3, 1.0, 50.0]]),
+        ulps(2, 0.0, "two products of positive numbers")
+    ),
+    twin!(
+        "direct_radiance_map",
+        "lit_area",
+        "outputs[id.x] = vec4f(lit_area(a[0], a[1]), 0.0, 0.0, 0.0);",
+        over_lanes!(|a| vec![map::lit_area(a[0], a[1])]),
+        || grid(&[&[1e-4, 0.3, 3.0], &[0.0, 1e-7, 1e-3, 0.5, 1.0]]),
+        ulps(4, 0.0, "a division of positive numbers")
+    ),
+    twin!(
+        "direct_radiance_map",
+        "omega_far",
+        "outputs[id.x] = vec4f(omega_far(a[0], a[1]), 0.0, 0.0, 0.0);",
+        over_lanes!(|a| vec![map::omega_far(a[0], a[1])]),
+        || grid(&[&[1e-4, 0.3, 3.0], &[1e-3, 1.0, 12.0, 1e6]]),
+        ulps(3, 0.0, "a division of positive numbers")
+    ),
+    twin!(
+        "direct_radiance_map",
+        "omega_published",
+        "outputs[id.x] = vec4f(omega_published(a[0], a[1], a[2]), 0.0, 0.0, 0.0);",
+        over_lanes!(|a| vec![map::omega_published(a[0], a[1], a[2])]),
+        discs,
+        ulps(5, 0.0, "a sum and a division of positive numbers")
+    ),
+    twin!(
+        "direct_radiance_map",
+        "omega_corrected",
+        "outputs[id.x] = vec4f(omega_corrected(a[0], a[1], a[2]), 0.0, 0.0, 0.0);",
+        over_lanes!(|a| vec![map::omega_corrected(a[0], a[1], a[2])]),
+        discs,
+        ulps(6, 0.0, "a sum and a division of positive numbers")
+    ),
+];
+
+/// Photons and points all over a room, and a point at the very place of a photon.
+fn places() -> Vec<Input> {
+    let mut inputs = spread(6, -1.0, 1.0);
+    inputs.push([0.5; ARGUMENTS]);
+    inputs
+}
+
+/// Areas, squared distances and cosines.
+fn discs() -> Vec<Input> {
+    grid(&[
+        &[0.0, 1e-4, 0.3, 3.0],
+        &[0.0, 1e-12, 1e-3, 1.0, 1e4],
+        &[-1.0, 0.0, 1e-6, 0.5, 1.0],
+    ])
+}
