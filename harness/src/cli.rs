@@ -10,6 +10,7 @@ use crate::record::Backend;
 use crate::view::{Look, Mirrors, ShadedAt};
 use clap::{Args, Parser, Subcommand, error::ErrorKind};
 use interreflect_estimators::Quantity;
+use interreflect_scene::params::Choice;
 use std::{ffi::OsString, path::PathBuf};
 use values::{choice, count, material, rate, setting};
 
@@ -144,6 +145,9 @@ pub struct Render {
     #[arg(long = "shade-at", value_name = "WHERE", default_value = "pixels")]
     #[arg(value_parser = choice::<ShadedAt>())]
     pub shaded_at: ShadedAt,
+    /// What the image shows: the camera's view, or the pictures from the lights that the estimator takes
+    #[arg(long, value_name = "WHAT", default_value = "camera", value_parser = choice::<Show>())]
+    pub show: Show,
     /// What mirrors show of indirect light: nothing, their own as if they were diffuse, or that of the
     /// surfaces in them
     #[arg(long, value_name = "WHAT", default_value = "included")]
@@ -167,6 +171,20 @@ pub struct Render {
     /// Folder for the EXR and PNG files
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+}
+
+/// What `interreflect render` shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Show {
+    /// The scene, as the camera sees it.
+    Camera,
+    /// The estimator's pictures from the lights.
+    LightView,
+}
+
+impl Choice for Show {
+    const ALL: &'static [(&'static str, Self)] =
+        &[("camera", Self::Camera), ("light_view", Self::LightView)];
 }
 
 impl Render {

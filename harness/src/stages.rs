@@ -8,7 +8,7 @@ use crate::record::{Backend, TimeSource};
 use crate::stage::{CpuStage, GpuStage, Stage};
 use interreflect_cpu::tiles::CpuCx;
 use interreflect_estimators::{Configured, Cpu, Gpu, Quantity, Unsupported};
-use interreflect_scene::Points;
+use interreflect_scene::{LightViewImage, Needs, Points};
 
 /// A scene on each backend.
 pub struct Stages<'a> {
@@ -46,6 +46,30 @@ impl<'a> Stages<'a> {
             None => Err(Unsupported("the GPU was not asked for".into())),
         };
         Self { cpu, gpu }
+    }
+
+    /// The views from the lights that are needed, as images on the host.
+    ///
+    /// # Errors
+    /// [`HarnessError`] if they can't be captured, or if there is no GPU.
+    pub fn light_views(
+        &self,
+        backend: Backend,
+        needs: &Needs,
+    ) -> Result<Vec<LightViewImage>, HarnessError> {
+        match backend {
+            Backend::Cpu => {
+                let captures = self.cpu.capture(needs)?.0;
+                Ok(captures.light_views.into_values().collect())
+            }
+            Backend::Gpu => {
+                let stage = self.gpu.as_ref().map_err(Clone::clone)?;
+                let captures = stage.capture(needs)?.0;
+                let views = captures.light_views.values();
+                let images = views.map(|views| views.download(&stage.context));
+                Ok(images.collect::<Result<_, _>>()?)
+            }
+        }
     }
 
     /// Runs the next frame of a sequence on a backend.

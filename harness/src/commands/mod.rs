@@ -2,13 +2,14 @@
 
 mod bench;
 mod compare;
+mod light_view;
 mod list;
 mod probe;
 mod reference;
 mod render;
 mod sequence;
 
-use crate::cli::{Cli, Command};
+use crate::cli::{Cli, Command, Show};
 use crate::error::HarnessError;
 use interreflect_estimators::Registry;
 
@@ -20,6 +21,9 @@ pub(crate) fn run(cli: Cli, registry: Registry, command_line: &str) -> Result<()
     match cli.command {
         Command::List(command) => list::run(&command, registry),
         Command::Bench(command) => bench::run(&command, registry, command_line),
+        Command::Render(command) if command.show == Show::LightView => {
+            light_view::run(&command, registry)
+        }
         Command::Render(command) if command.frames.is_some() => sequence::run(&command, registry),
         Command::Render(command) => render::run(&command, registry),
         Command::Probe(command) => probe::run(&command, registry),
