@@ -147,6 +147,45 @@ fn reflectance(point: &Point) -> f64 {
     normalisation * sum * PI / (N * N) as f64
 }
 
+/// The box of `drm.csv`: what a spot light meets first, against the exact irradiance.
+#[test]
+fn reproduces_exact_irradiance_from_what_a_light_meets() {
+    let path = Path::new(SHARED_POINTS).join("drm.toml");
+    if !path.exists() {
+        println!("not run: {} is not there", path.display());
+        return;
+    }
+    let scene = open(&SceneRequest::new(path.to_string_lossy())).unwrap();
+    let text = std::fs::read_to_string(Path::new(SHARED_POINTS).join("drm.csv")).unwrap();
+    let rows: Vec<(Point, f64)> = text
+        .lines()
+        .skip(1)
+        .map(|line| {
+            let (_, numbers) = line.split_once(',').unwrap();
+            let v: Vec<f64> = numbers.split(',').map(|n| n.parse().unwrap()).collect();
+            let vector = |i: usize| Vec3::new(v[i] as f32, v[i + 1] as f32, v[i + 2] as f32);
+            let point = Point {
+                position: vector(0),
+                normal: vector(3),
+                ..Point::default()
+            };
+            (point, v[6])
+        })
+        .collect();
+    let points: Vec<Point> = rows.iter().map(|r| r.0).collect();
+    let model = OwnModel::FirstHitsOfLights { directional: false };
+    let computed = values(model, Quantity::Irradiance, &scene, &points);
+    let tolerance = Tolerance {
+        absolute: 0.0,
+        relative: 2e-3,
+        cause: "patches that the box's edges cut, of one radiance each",
+    };
+    for ((point, exact), value) in rows.iter().zip(computed.values.iter()) {
+        let result = tolerance.check(f64::from(value.x), *exact);
+        assert_eq!(result, Ok(()), "{point:?}");
+    }
+}
+
 #[test]
 fn glossy_radiance_in_a_box_agrees_with_the_path_tracer() {
     let Some(scene) = room() else { return };

@@ -1,6 +1,7 @@
 //! Pictures from the lights: the public point set, what the paper's solid angles do, and mirrors.
 
 mod mirrors;
+mod model;
 mod point_set;
 
 use crate::ensure;
@@ -46,6 +47,7 @@ pub(crate) fn trials() -> Vec<Trial> {
     ));
     trials.extend(point_set::trials());
     trials.extend(mirrors::trials());
+    trials.extend(model::trials());
     trials
 }
 
@@ -88,14 +90,26 @@ const LIGHTS: [Light; 4] = [
     },
 ];
 
-/// The box with each light alone, with all of them, and with many photons.
+/// Two lights none of whose 64² rays a view meets an edge of the box.
+const OFF_EDGES: [Light; 2] = [
+    Light::Point {
+        position: Vec3::new(0.3137, 0.7071, -0.2113),
+        intensity: Vec3::new(1.0, 0.8, 0.6),
+    },
+    Light::Point {
+        position: Vec3::new(-0.5171, 0.1319, 0.3391),
+        intensity: Vec3::new(0.6, 0.7, 0.9),
+    },
+];
+
+/// The box with each light alone, with all of them, and with two off its edges.
 static LIT: [LazyLock<Subject>; 6] = [
     LazyLock::new(|| lit_box(&LIGHTS[..1], inside(100))),
     LazyLock::new(|| lit_box(&LIGHTS[1..2], inside(100))),
     LazyLock::new(|| lit_box(&LIGHTS[2..3], inside(100))),
     LazyLock::new(|| lit_box(&LIGHTS[3..], inside(100))),
     LazyLock::new(|| lit_box(&LIGHTS, inside(100))),
-    LazyLock::new(|| lit_box(&[LIGHTS[0], LIGHTS[0]], inside(100))),
+    LazyLock::new(|| lit_box(&OFF_EDGES, inside(100))),
 ];
 
 /// Below the floor, on which alone the light falls, a point that looks up at its dark side.

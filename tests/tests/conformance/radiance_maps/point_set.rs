@@ -109,7 +109,7 @@ impl PointSet {
         let objects = subject.cpu.environment_objects();
         let albedo = |wall: usize| {
             let axis = [DVec3::X, DVec3::Y, DVec3::Z][wall / 2];
-            let axis = if wall % 2 == 0 { axis } else { -axis };
+            let axis = if wall.is_multiple_of(2) { axis } else { -axis };
             // Off the diagonals, where triangles meet.
             let towards = axis + DVec3::new(0.11, 0.07, 0.05);
             let hit = objects
