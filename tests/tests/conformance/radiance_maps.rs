@@ -259,9 +259,8 @@ fn long_sums_come_in_parts<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
     let on_cpu = shaded(&cpu_stage(subject), subject, &settings)?;
     let tolerance = Tolerance {
         absolute: 1e-6,
-        relative: 5e-4,
-        cause: "float32 sums of 49,152 photons, and the photons, about 5e-4 of them, that the \
-                rasteriser's snap to a 256th of a texel moves over an edge of the box",
+        relative: 6e-5,
+        cause: "float32 sums of 49,152 photons: 4·√N roundings",
     };
     Ok(same(
         &on_cpu,
