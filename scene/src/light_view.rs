@@ -26,7 +26,7 @@ pub struct TrueColors {
 }
 
 /// Pictures from every light of a scene: planes of texels, frame by frame, rows of columns
-/// ([`LightViewImage::index`]).
+/// ([`view_index`]).
 ///
 /// A channel that was not asked for is an empty vector. Where a ray met no surface, or one that the
 /// light does not shine on, `path_m` is 0 and the texel is no photon. A mirror is none either: the

@@ -18,45 +18,51 @@ use std::f32::consts::FRAC_1_PI;
 pub fn capture_light_views(scene: &CpuScene, spec: LightViewSpec) -> LightViewImage {
     let mut image = LightViewImage::new(scene.scene(), spec);
     let size = spec.size as usize;
-    let texels: Vec<Option<Photon>> = (0..image.texels())
+    let texels: Vec<Option<LitPlace>> = (0..image.texels())
         .into_par_iter()
         .with_min_len(size)
         .map(|index| {
             let frame = &image.frames[index / (size * size)];
             let [column, row] = [index % size, index / size % size]
                 .map(|i| conventions::texel_centre(spec.size, i as u32));
-            Photon::along(scene, frame, column, row)
+            LitPlace::along(scene, frame, column, row)
         })
         .collect();
-    for (index, photon) in texels.into_iter().enumerate() {
-        if let Some(photon) = photon {
-            photon.write(&mut image, index);
+    for (index, place) in texels.iter().enumerate() {
+        if let Some(place) = place {
+            place.write(&mut image, index);
         }
     }
     image
 }
 
 /// A lit place on a surface.
-struct Photon {
-    surface: SurfaceHit,
-    path_m: f64,
-    cos_light: f32,
-    irradiance: Vec3,
-    to_light: Vec3,
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LitPlace {
+    /// Position in metres.
+    pub position: DVec3,
+    /// Length b of the light's way in metres, over all mirrors.
+    pub path_m: f64,
+    /// Unit normal on the side of the arriving light.
+    pub normal: Vec3,
+    /// Cosine cos α between the normal and the arriving light, > 0.
+    pub cos_light: f32,
+    /// What the surface is made of, with the light that arrives.
+    pub colors: TrueColors,
 }
 
-impl Photon {
-    /// What the ray through (s, t) of a view lights.
-    fn along(scene: &CpuScene, frame: &LightFrame, s: f64, t: f64) -> Option<Self> {
+impl LitPlace {
+    /// What the ray through (s, t) ∈ [−1, 1]² of a view lights; `None` if it meets nothing, or
+    /// carries no light.
+    pub fn along(scene: &CpuScene, frame: &LightFrame, s: f64, t: f64) -> Option<Self> {
         let objects = scene.environment_objects();
         let (start, leaving) = frame.ray(s, t);
         let (mut origin, mut direction) = (start, leaving);
         let (mut path_m, mut throughput) = (0.0, Vec3::ONE);
         for mirrors in 0..=MAX_MIRRORS {
-            let nearest = if mirrors == 0 {
-                0.0
-            } else {
-                objects.ray_start()
+            let nearest = match mirrors {
+                0 => 0.0,
+                _ => objects.ray_start(),
             };
             let hit = objects
                 .bvh()
@@ -66,14 +72,12 @@ impl Photon {
             if !surface.material.mirror {
                 let unfolded = (start + leaving * path_m).as_vec3();
                 let arriving = scene.scene().lights[frame.light as usize].incident(unfolded)?;
-                let cos_light = -surface.geometric_normal.dot(direction.as_vec3());
-                return (cos_light > 0.0 && arriving.irradiance != Vec3::ZERO).then(|| Self {
-                    surface,
+                return Self::lit(
+                    &surface,
                     path_m,
-                    cos_light,
-                    irradiance: arriving.irradiance * throughput * cos_light,
-                    to_light: -direction.as_vec3(),
-                });
+                    direction,
+                    arriving.irradiance * throughput,
+                );
             }
             throughput *= surface.material.specular;
             origin = surface.position;
@@ -82,26 +86,42 @@ impl Photon {
         None
     }
 
-    fn write(self, image: &mut LightViewImage, index: usize) {
-        let material = &self.surface.material;
-        image.position[index] = self.surface.position.as_vec3();
+    /// A surface that light reaches along `direction`; `irradiance` is that across the light's way.
+    fn lit(at: &SurfaceHit, path_m: f64, direction: DVec3, irradiance: Vec3) -> Option<Self> {
+        let cos_light = -at.geometric_normal.dot(direction.as_vec3());
+        (cos_light > 0.0 && irradiance != Vec3::ZERO).then(|| Self {
+            position: at.position,
+            path_m,
+            normal: at.geometric_normal,
+            cos_light,
+            colors: TrueColors {
+                diffuse: at.material.albedo,
+                specular: at.material.specular,
+                shininess: at.material.shininess,
+                irradiance: irradiance * cos_light,
+                to_light: -direction.as_vec3(),
+            },
+        })
+    }
+
+    fn write(&self, image: &mut LightViewImage, index: usize) {
+        image.position[index] = self.position.as_vec3();
         image.path_m[index] = self.path_m as f32;
         if let Some(radiance) = image.radiance.get_mut(index) {
-            *radiance = material.albedo * FRAC_1_PI * self.irradiance;
+            *radiance = self.radiance();
         }
         if let Some(normal) = image.normal.get_mut(index) {
-            *normal = self.surface.geometric_normal;
+            *normal = self.normal;
             image.cos_light[index] = self.cos_light;
         }
         if let Some(colors) = image.true_colors.get_mut(index) {
-            *colors = TrueColors {
-                diffuse: material.albedo,
-                specular: material.specular,
-                shininess: material.shininess,
-                irradiance: self.irradiance,
-                to_light: self.to_light,
-            };
+            *colors = self.colors;
         }
+    }
+
+    /// Radiance ρ/π·E·cos α that is reflected by Lambert's law, W·m⁻²·sr⁻¹.
+    pub fn radiance(&self) -> Vec3 {
+        self.colors.diffuse * FRAC_1_PI * self.colors.irradiance
     }
 }
 

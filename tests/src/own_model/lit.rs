@@ -1,18 +1,17 @@
 //! All places that the lights' rays meet first, summed patch by patch.
 
+use super::cell::{Cell, corners, is_edge};
 use super::gather::{IN_PLANE, Seen, Sums, Tile, unit};
 use super::near::near;
 use super::node::Node;
 use glam::{DVec3, Vec3};
-use interreflect_cpu::capture::light_view::capture_light_views;
 use interreflect_cpu::lane::{Lane, Vector, WIDTH, Wide};
 use interreflect_cpu::scene::CpuScene;
 use interreflect_cpu::tiles::{PointLanes, TileKernel};
 use interreflect_estimators::Quantity;
 use interreflect_scene::material::blinn_phong_normalisation;
-use interreflect_scene::{
-    LightFrame, LightViewChannels, LightViewImage, LightViewSpec, PointLayout, conventions,
-};
+use interreflect_scene::{LightFrame, PointLayout};
+use rayon::prelude::*;
 use std::f64::consts::FRAC_1_PI;
 
 /// Patches of all views of the finer integral, about.
@@ -44,28 +43,34 @@ struct Highlight {
 }
 
 impl Lit {
-    /// Captures `patches` in all views together, about.
+    /// Traces `patches` in all views together, about, and more where edges cut them.
     pub(super) fn new(
         scene: &CpuScene,
         directional: bool,
         quantity: Quantity,
         patches: usize,
     ) -> Self {
-        let views = scene.scene().light_frames().len().max(1);
-        let size = ((patches / views) as f64).sqrt().max(1.0) as u32;
-        let channels = LightViewChannels {
-            radiance: false,
-            normal: true,
-            true_colors: true,
-        };
-        let image = capture_light_views(scene, LightViewSpec { size, channels });
+        let frames = scene.scene().light_frames();
+        let size = ((patches / frames.len().max(1)) as f64).sqrt().max(1.0) as u32;
         let origin = scene.scene().reference_point.as_dvec3();
-        let lit = (0..image.texels()).filter(|&i| image.path_m[i] > 0.0);
         let glossy = quantity == Quantity::GlossyRadiance;
+        let mut patches = Vec::new();
+        for frame in &frames {
+            let cells: Vec<Cell> = (0..size * size)
+                .into_par_iter()
+                .map(|i| Cell::new(scene, frame, size, [i % size, i / size]))
+                .collect();
+            let parts = (0..cells.len()).into_par_iter().flat_map_iter(|i| {
+                match is_edge(&cells, i, size as usize) {
+                    true => cells[i].parts(scene, frame),
+                    false => vec![cells[i]],
+                }
+            });
+            let patch = |cell: Cell| Patch::new(frame, &cell, origin, directional);
+            patches.extend(parts.filter_map(patch).collect::<Vec<_>>());
+        }
         Self {
-            patches: lit
-                .map(|index| Patch::new(&image, index, origin, directional))
-                .collect(),
+            patches,
             origin,
             glossy: glossy && directional,
             diffuse: glossy && !directional,
@@ -74,17 +79,18 @@ impl Lit {
 }
 
 impl Patch {
-    fn new(image: &LightViewImage, index: usize, origin: DVec3, directional: bool) -> Self {
-        let corners = corners(image, index).map(|c| c - origin);
+    /// The patch of a lit cell.
+    fn new(frame: &LightFrame, cell: &Cell, origin: DVec3, directional: bool) -> Option<Self> {
+        let place = cell.place.as_ref()?;
+        let corners = corners(frame, cell, place).map(|c| c - origin);
         let [a, b, c, d] = corners;
-        let centre = image.position[index].as_dvec3() - origin;
+        let centre = place.position - origin;
         let area = 0.5 * (c - a).cross(d - b).length();
         let radius = corners
             .iter()
             .map(|p| p.distance(centre))
             .fold(0.0, f64::max);
-        let colors = &image.true_colors[index];
-        let radiance = colors.diffuse * FRAC_1_PI as f32 * colors.irradiance;
+        let colors = &place.colors;
         let highlight = || {
             let norm = blinn_phong_normalisation(f64::from(colors.shininess)) as f32;
             Highlight {
@@ -93,11 +99,11 @@ impl Patch {
                 shininess: colors.shininess,
             }
         };
-        Self {
+        Some(Self {
             node: Node {
                 centre: centre.as_vec3(),
-                normal: image.normal[index],
-                power: radiance * area as f32,
+                normal: place.normal,
+                power: place.radiance() * area as f32,
                 measure: area as f32,
                 radius: radius as f32,
                 flat: true,
@@ -106,7 +112,7 @@ impl Patch {
             },
             corners,
             highlight: (directional && colors.specular != Vec3::ZERO).then(highlight),
-        }
+        })
     }
 
     /// Radiance towards sixteen points, `r` from them to the patch.
@@ -183,68 +189,4 @@ impl TileKernel for Lit {
         }
         total.diffuse
     }
-}
-
-/// Corners of a texel on its surface's plane, clockwise seen from the lit side: where its corner
-/// rays meet the plane. Behind a mirror, or where the plane is nearly edge-on to a ray, a square of
-/// the area that the texel's light falls on.
-fn corners(image: &LightViewImage, index: usize) -> [DVec3; 4] {
-    let size = image.size as usize;
-    let frame = &image.frames[index / (size * size)];
-    let (column, row) = ((index % size) as u32, (index / size % size) as u32);
-    let position = image.position[index].as_dvec3();
-    let normal = image.normal[index].as_dvec3().normalize();
-    let corners = cut(frame, image.size, [column, row], position, normal);
-    let mut corners = corners.unwrap_or_else(|| {
-        let b = f64::from(image.path_m[index]);
-        let across = match frame.projection {
-            interreflect_scene::Projection::Perspective => b * b,
-            interreflect_scene::Projection::Orthographic => 1.0,
-        };
-        let measure = frame.cell_measure(image.size, column, row);
-        let area = measure * across / f64::from(image.cos_light[index]).max(1e-6);
-        let (u, v) = normal.any_orthonormal_pair();
-        let [u, v] = [u, v].map(|d| d * (0.5 * area.sqrt()));
-        [
-            position - u - v,
-            position - u + v,
-            position + u + v,
-            position + u - v,
-        ]
-    });
-    let [a, b, c, d] = corners;
-    if (c - a).cross(d - b).dot(normal) > 0.0 {
-        corners = [a, d, c, b];
-    }
-    corners
-}
-
-/// Where the corner rays meet the plane; `None` if the middle ray does not arrive there, or a corner
-/// ray does not.
-fn cut(
-    frame: &LightFrame,
-    size: u32,
-    [column, row]: [u32; 2],
-    position: DVec3,
-    normal: DVec3,
-) -> Option<[DVec3; 4]> {
-    let [s, t] = [column, row].map(|i| conventions::texel_centre(size, i));
-    let (start, middle) = frame.ray(s, t);
-    let offset = position - start;
-    // Rounding to f32 leaves the ray by less.
-    if (offset - middle * offset.dot(middle)).length() > 1e-5 * offset.length() {
-        return None;
-    }
-    let half = 1.0 / f64::from(size);
-    let corners = [(-half, -half), (-half, half), (half, half), (half, -half)];
-    let mut met = [DVec3::ZERO; 4];
-    for (met, (ds, dt)) in met.iter_mut().zip(corners) {
-        let (start, ray) = frame.ray(s + ds, t + dt);
-        let slope = -normal.dot(ray);
-        if slope < 1e-3 || slope < 0.2 * -normal.dot(middle) {
-            return None;
-        }
-        *met = start + ray * (normal.dot(start - position) / slope);
-    }
-    Some(met)
 }

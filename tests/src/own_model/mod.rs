@@ -6,6 +6,7 @@
 //! by the exact polygon kernel (`gather.rs`). Places that lights shine on first are patches of the
 //! lights' views, all of them summed (`lit.rs`).
 
+mod cell;
 mod gather;
 mod hierarchy;
 mod lit;

@@ -93,7 +93,7 @@ const LIGHTS: [Light; 4] = [
 /// Two lights none of whose 64² rays a view meets an edge of the box.
 const OFF_EDGES: [Light; 2] = [
     Light::Point {
-        position: Vec3::new(0.3137, 0.7071, -0.2113),
+        position: Vec3::new(0.3137, 0.6971, -0.2113),
         intensity: Vec3::new(1.0, 0.8, 0.6),
     },
     Light::Point {
