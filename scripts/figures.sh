@@ -34,6 +34,8 @@ figure estimators/src/sh_mip_envmap/limits.png studio glossy_radiance --points 5
     --estimator sh_mip_envmap --set sh_mip_envmap.lod=5 --set sh_mip_envmap.f_lambda=1
 figure estimators/src/phong_envmap/limits.png studio glossy_radiance --points 5600 \
     --estimator phong_envmap
+figure estimators/src/direct_radiance_map/limits.png cornell-box irradiance --points 5600 \
+    --estimator direct_radiance_map --set direct_radiance_map.samples_per_side=5
 figure estimators/src/directional_ao/limits.png studio ambient_occlusion --points 5600 \
     --estimator directional_ao
 figure estimators/src/path_reference/limits.png cornell-box irradiance --points 5600 \
