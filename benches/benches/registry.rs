@@ -1,4 +1,4 @@
-//! Every registered method in each fidelity and quantity on each backend, and the cube captures.
+//! Every registered method in each fidelity and quantity on each backend, and the captures.
 //!
 //! Times on a software adapter say nothing about a GPU: their ids say `gpu-software`.
 
@@ -13,7 +13,8 @@ use interreflect_estimators::{
 };
 use interreflect_gpu::{GpuContext, GpuScene};
 use interreflect_scene::{
-    CubeChannels, CubeSpec, Needs, Point, PointLayout, Points, SceneRequest, open,
+    CubeChannels, CubeSpec, LightViewChannels, LightViewSpec, Needs, Point, PointLayout, Points,
+    SceneRequest, open,
 };
 use std::sync::Arc;
 use std::time::Duration;
@@ -203,11 +204,41 @@ fn captures(criterion: &mut Criterion) {
     group.finish();
 }
 
+/// Views from the light, 16² and 256² texels each, with position, radiance and normal.
+fn light_views(criterion: &mut Criterion) {
+    let lab = Lab::new();
+    let gpu = lab.gpu();
+    let mut group = criterion.benchmark_group("capture/light views");
+    settings(&mut group);
+    for size in [16, 256] {
+        let channels = LightViewChannels {
+            radiance: true,
+            normal: true,
+            true_colors: false,
+        };
+        let needs = Needs {
+            light_views: [LightViewSpec { size, channels }].into(),
+            ..Needs::default()
+        };
+        let name = format!("{size}");
+        capture(
+            &mut group,
+            &lab.cpu(),
+            BenchmarkId::new(&name, "cpu"),
+            &needs,
+        );
+        if let Some((stage, label)) = &gpu {
+            capture(&mut group, stage, BenchmarkId::new(&name, label), &needs);
+        }
+    }
+    group.finish();
+}
+
 fn capture<S: Stage>(group: &mut Group<'_>, stage: &S, id: BenchmarkId, needs: &Needs) {
     group.bench_function(id, |bencher| {
         bencher.iter(|| stage.capture(needs).expect("a capture").1);
     });
 }
 
-criterion_group!(benches, methods, captures);
+criterion_group!(benches, methods, captures, light_views);
 criterion_main!(benches);
