@@ -137,7 +137,8 @@ fn places(context: &Arc<GpuContext>) -> Outcome {
             "{}: {passes:?}",
             variant.name()
         );
-        located += usize::from(needs_in(room)?.cubes.iter().any(has_place));
+        let placed = |needs: Needs| needs.cubes.iter().any(has_place);
+        located += usize::from(variant.runs_in(room) && placed(needs_in(room)?));
     }
     ensure!(located > 0, "no method asks for the place of anything");
     Ok(())
