@@ -3,18 +3,22 @@
 use crate::error::HarnessError;
 use crate::metrics::check_finite;
 use crate::stage::{Placed, Stage};
-use interreflect_estimators::{Backend, Changed, Configured, Inputs, Quantity, Seen, Session};
+use interreflect_estimators::{
+    Backend, Captures, Changed, Configured, Inputs, Quantity, Seen, Session,
+};
 use interreflect_scene::motion::Moves;
 use interreflect_scene::{Estimate, Points, Scene};
 
 /// A session and its last frame.
 pub struct Frames<B: Backend> {
     session: Box<dyn Session<B>>,
-    last: Option<Last>,
+    last: Option<Last<B>>,
 }
 
-struct Last {
+struct Last<B: Backend> {
     points: Points,
+    /// Good as long as the scene stays as it is.
+    captures: Captures<B>,
     ms: f64,
 }
 
@@ -34,7 +38,7 @@ pub struct Frame<'a> {
 pub struct Shaded {
     /// The quantity at each point.
     pub estimate: Estimate,
-    /// Captures, `prepare` and `shade`.
+    /// Captures, unless the scene is as it was, `prepare` and `shade`.
     pub ms: f64,
 }
 
@@ -68,17 +72,24 @@ impl<B: Backend> Frames<B> {
         let (scene, points) = (frame.scene, frame.points);
         let facts = scene.facts();
         let needs = method.needs(quantity, &facts)?;
-        stage.solve(&needs)?;
-        let (captures, capture_ms) = stage.capture(&needs)?;
+        let changed = self.changed(frame);
+        let last_frame_ms = self.last.as_ref().map(|last| last.ms);
+        let kept = self.last.take().filter(|_| !changed.any(Changed::SCENE));
+        let (captures, capture_ms) = match kept {
+            Some(last) => (last.captures, 0.0),
+            None => {
+                stage.solve(&needs)?;
+                stage.capture(&needs)?
+            }
+        };
         let Placed {
             points: placed,
             mut out,
         } = stage.place(points)?;
         let origin = (facts, scene.capture_origin(needs.keep_within_m));
-        let changed = self.changed(frame);
         let mut inputs = Inputs::new(&needs, &captures, &placed, points, origin, changed);
         inputs.seen = frame.seen;
-        inputs.last_frame_ms = self.last.as_ref().map(|last| last.ms);
+        inputs.last_frame_ms = last_frame_ms;
         let session = &mut self.session;
         let prepare_ms = stage.timed("prepare", &mut |cx| {
             session.prepare(cx, quantity, &inputs, &out)
@@ -91,6 +102,7 @@ impl<B: Backend> Frames<B> {
         let ms = capture_ms + prepare_ms + shade_ms;
         self.last = Some(Last {
             points: points.clone(),
+            captures,
             ms,
         });
         Ok(Shaded { estimate, ms })

@@ -4,7 +4,7 @@ use super::environment::Blurred;
 use super::math::{open_cosine, passes};
 use super::progress::{Progress, Step, WORD, by_words, words};
 use super::sphere::directions;
-use super::{DirectionalAo, DirectionalAoParams, Visibility, values};
+use super::{DirectionalAo, DirectionalAoParams, Visibility, environment, values};
 use crate::{Cpu, Estimator, EstimatorError, Inputs, Quantity, Unsupported};
 use glam::Vec3;
 use interreflect_cpu::capture::directional_depth::DirectionalDepths;
@@ -75,17 +75,11 @@ impl Estimator<Cpu> for DirectionalAo {
             cx.install(|| look(&mut state.bits, stride, step, inputs.points, &source));
         }
         let level = state.progress.level().ok_or(EstimatorError::Unprepared)?;
-        if quantity == Quantity::Irradiance {
-            let environment = inputs.environment()?;
-            let made = state.blurred.take();
-            let made = made.filter(|b| b.is_of(environment, params.blur_deg));
-            let blur = || cx.install(|| Blurred::new(environment, params.blur_deg));
-            state.blurred = Some(made.unwrap_or_else(blur));
-        }
-        let turned = (quantity == Quantity::Irradiance).then(|| inputs.environment());
+        let light = environment(quantity, inputs)?;
+        let values = cx.install(|| values(params, level, light, &mut state.blurred));
         state.light = Some(Light {
             towards: directions(level),
-            values: values(params, level, state.blurred.as_ref(), turned.transpose()?),
+            values,
         });
         Ok(())
     }

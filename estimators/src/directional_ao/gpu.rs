@@ -3,7 +3,7 @@
 use super::environment::Blurred;
 use super::progress::{Progress, Step, WORD, by_words, words};
 use super::sphere::{DIRECTIONS, MAX_LEVEL, directions};
-use super::{DirectionalAo, DirectionalAoParams, Visibility, values};
+use super::{DirectionalAo, DirectionalAoParams, Visibility, environment, values};
 use crate::{Estimator, EstimatorError, Gpu, Inputs, Quantity, Unsupported};
 use bytemuck::{Pod, Zeroable};
 use interreflect_gpu::{
@@ -135,16 +135,8 @@ impl Estimator<Gpu> for DirectionalAo {
             look(params, (maps, bits, stride), cx, step, inputs)?;
         }
         let level = state.progress.level().ok_or(EstimatorError::Unprepared)?;
-        let mut turned = None;
-        if quantity == Quantity::Irradiance {
-            let environment = inputs.environment()?;
-            let made = state.blurred.take();
-            let made = made.filter(|b| b.is_of(environment, params.blur_deg));
-            let blur = || Blurred::new(environment, params.blur_deg);
-            state.blurred = Some(made.unwrap_or_else(blur));
-            turned = Some(environment);
-        }
-        let values = values(params, level, state.blurred.as_ref(), turned);
+        let from_afar = environment(quantity, inputs)?;
+        let values = values(params, level, from_afar, &mut state.blurred);
         let light = light(level, stride, &values);
         let light = context.uniform("directional_ao light", &light)?;
         let [points, info, estimate] = inputs.points.bindings(out);

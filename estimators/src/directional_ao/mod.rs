@@ -12,8 +12,9 @@ mod progress;
 mod sphere;
 mod todo;
 
-use crate::{Info, Method, OwnModel, Quantity, Unsupported};
-use glam::Vec3;
+use crate::{Backend, EstimatorError, Info, Inputs, Method, OwnModel, Quantity, Unsupported};
+use environment::Blurred;
+use glam::DVec3;
 use interreflect_cpu::path_tracer::LightPaths;
 use interreflect_scene::params::Fidelity;
 use interreflect_scene::{DirectionalDepthSpec, Environment, Needs, SceneFacts};
@@ -89,29 +90,43 @@ impl DirectionalAoParams {
     }
 }
 
-/// What an open direction counts, times its cosine: (1/π)·w_j for openness, I_j·w_j for irradiance
-/// (P5, the sum over M_ij).
+/// The environment, where its light is asked for.
+fn environment<'a, B: Backend>(
+    quantity: Quantity,
+    inputs: &Inputs<'a, B>,
+) -> Result<Option<&'a Environment>, EstimatorError> {
+    let coloured = quantity == Quantity::Irradiance;
+    coloured.then(|| inputs.environment()).transpose()
+}
+
+/// What an open direction counts, times its cosine: (1/π)·w_j for openness, I_j·w_j for the irradiance
+/// of an environment (P5, the sum over M_ij). It is blurred again only if it is another image.
 fn values(
     params: &DirectionalAoParams,
     level: u32,
-    environment: Option<&environment::Blurred>,
-    turned: Option<&Environment>,
+    environment: Option<&Environment>,
+    blurred: &mut Option<Blurred>,
 ) -> Vec<[f32; 3]> {
     let uniform = 4.0 * PI / f64::from(DIRECTIONS[level as usize]);
-    let weights = sphere::weights_sr(level);
-    let weight = |j: usize| match params.fidelity {
+    let weights = sphere::weights_sr(level).into_iter();
+    let weights = weights.map(|weight| match params.fidelity {
         Fidelity::Published => uniform,
-        Fidelity::Corrected => weights[j],
+        Fidelity::Corrected => weight,
+    });
+    let rounded = |v: DVec3| v.as_vec3().to_array();
+    let Some(environment) = environment else {
+        return weights
+            .map(|w| rounded(DVec3::splat(w * FRAC_1_PI)))
+            .collect();
     };
-    let directions = sphere::directions(level);
-    let value = |(j, &towards): (usize, &Vec3)| {
-        let value = match (environment, turned) {
-            (Some(blurred), Some(turned)) => {
-                blurred.radiance(turned, towards).as_dvec3() * weight(j)
-            }
-            _ => glam::DVec3::splat(weight(j) * FRAC_1_PI),
-        };
-        value.as_vec3().to_array()
-    };
-    directions.iter().enumerate().map(value).collect()
+    let made = blurred.take();
+    let made = made.filter(|b| b.is_of(environment, params.blur_deg));
+    let made = made.unwrap_or_else(|| Blurred::new(environment, params.blur_deg));
+    let radiance = |towards| made.radiance(environment, towards).as_dvec3();
+    let pairs = directions(level).into_iter().zip(weights);
+    let values = pairs
+        .map(|(towards, w)| rounded(radiance(towards) * w))
+        .collect();
+    *blurred = Some(made);
+    values
 }

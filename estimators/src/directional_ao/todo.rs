@@ -12,10 +12,15 @@ const SMALL: f64 = 0.01;
 pub(super) struct Todo {
     evaluated: Vec<bool>,
     /// U: triangles that were not seen yet; `None` before the first frame that filters.
-    unseen: Option<Vec<bool>>,
-    unseen_count: usize,
+    unseen: Option<Unseen>,
     /// Points that were evaluated since the start, repetitions counted.
     pub(super) evaluations: u64,
+}
+
+/// The list U: whether each triangle is on it, and how many are.
+struct Unseen {
+    triangles: Vec<bool>,
+    count: usize,
 }
 
 impl Todo {
@@ -46,21 +51,20 @@ impl Todo {
 
     fn about_to_be_seen(&mut self, seen: Seen<'_>) -> Vec<u32> {
         let all = seen.triangles.len();
-        let unseen = self.unseen.get_or_insert_with(|| vec![true; all]);
-        if self.evaluated.iter().all(|done| !done) {
-            *unseen = vec![true; all];
-            self.unseen_count = all;
-        }
+        let unseen = self.unseen.get_or_insert_with(|| Unseen {
+            triangles: vec![true; all],
+            count: all,
+        });
         let mut todo = Vec::new();
         for &triangle in seen.visible {
-            if std::mem::take(&mut unseen[triangle as usize]) {
-                self.unseen_count -= 1;
+            if std::mem::take(&mut unseen.triangles[triangle as usize]) {
+                unseen.count -= 1;
                 todo.extend(seen.triangles[triangle as usize]);
             }
         }
-        if (self.unseen_count as f64) < SMALL * all as f64 {
-            unseen.fill(false);
-            self.unseen_count = 0;
+        if (unseen.count as f64) < SMALL * all as f64 {
+            unseen.triangles.fill(false);
+            unseen.count = 0;
             todo = (0..self.evaluated.len() as u32).collect();
         }
         todo.sort_unstable();

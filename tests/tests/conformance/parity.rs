@@ -121,7 +121,7 @@ fn check(tolerance: &Tolerance, a: &Estimate, b: &Estimate) -> Result<(), String
 const CHANGED_SHARE: f64 = 0.03;
 
 /// As [`check`], but for points whose depth maps see a silhouette in another texel. These are few, and
-/// change by few of the directions' shares.
+/// change by four directions' shares at most: 4/66 each, a quarter of an open point in all.
 fn check_most(tolerance: &Tolerance, a: &Estimate, b: &Estimate) -> Result<(), String> {
     let largest = a
         .iter()
