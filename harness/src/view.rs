@@ -1,5 +1,6 @@
 //! What the camera sees, as a list of points: what is measured is what is shown.
 
+mod look;
 mod traced;
 mod vertices;
 
@@ -8,62 +9,10 @@ use crate::output::HdrImage;
 use glam::Vec3;
 use interreflect_cpu::scene::CpuScene;
 use interreflect_estimators::Seen;
-use interreflect_scene::params::Choice;
 use interreflect_scene::{Camera, Estimate, Point, PointLayout, Points, Role};
+pub use look::{Look, Mirrors, ShadedAt};
 use traced::{footprint, traced};
 use vertices::Vertices;
-
-/// Where an estimator is asked.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ShadedAt {
-    /// At the surface that each pixel sees.
-    Pixels,
-    /// At the vertices of all that is shaded; pixels interpolate.
-    Vertices,
-}
-
-impl Choice for ShadedAt {
-    const ALL: &'static [(&'static str, Self)] =
-        &[("pixels", Self::Pixels), ("vertices", Self::Vertices)];
-}
-
-/// What a mirror shows of indirect light (P3, Figure 8).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Mirrors {
-    /// None: direct light alone.
-    Direct,
-    /// Direct light, and on it what the mirror's own surface would reflect if it were diffuse, of its
-    /// reflectance for an albedo: a trick, which costs no reflected point.
-    Diffuse,
-    /// What the surfaces that it shows reflect.
-    Included,
-}
-
-impl Choice for Mirrors {
-    const ALL: &'static [(&'static str, Self)] = &[
-        ("direct", Self::Direct),
-        ("diffuse", Self::Diffuse),
-        ("included", Self::Included),
-    ];
-}
-
-/// How a view is made.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Look {
-    /// Where the estimator is asked.
-    pub at: ShadedAt,
-    /// What mirrors show.
-    pub mirrors: Mirrors,
-}
-
-impl Default for Look {
-    fn default() -> Self {
-        Self {
-            at: ShadedAt::Pixels,
-            mirrors: Mirrors::Included,
-        }
-    }
-}
 
 /// An image as a list of points: what indirect light is estimated for, and the pixels that show it.
 pub struct View {
