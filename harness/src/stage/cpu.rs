@@ -1,0 +1,97 @@
+//! A scene on the CPU.
+
+use super::{Phase, Placed, Stage, environment, milliseconds, sum};
+use interreflect_cpu::capture::cube::capture_cube;
+use interreflect_cpu::capture::directional_depth::DirectionalDepths;
+use interreflect_cpu::capture::light_view::capture_light_views;
+use interreflect_cpu::path_tracer::CoarseSolution;
+use interreflect_cpu::scene::CpuScene;
+use interreflect_cpu::tiles::CpuCx;
+use interreflect_estimators::{Captures, Configured, Cpu, EstimatorError, Session, Unsupported};
+use interreflect_scene::{Estimate, Needs, Points};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use std::time::Instant;
+
+/// A scene on the CPU.
+#[derive(Clone)]
+pub struct CpuStage<'a> {
+    /// Threads and instruction set.
+    pub cx: &'a CpuCx,
+    /// The scene.
+    pub scene: Arc<CpuScene>,
+}
+
+impl CpuStage<'_> {
+    /// The coarse solutions of all captures, each once.
+    pub(super) fn solutions(&self, needs: &Needs) -> BTreeMap<u32, Arc<CoarseSolution>> {
+        let solve = |spec| self.cx.install(|| self.scene.coarse_for(spec));
+        let solutions = needs.cubes.iter().filter_map(solve);
+        solutions.map(|s| (s.irradiance.bounces(), s)).collect()
+    }
+}
+
+impl Stage for CpuStage<'_> {
+    type Backend = Cpu;
+
+    fn open(&self, method: &dyn Configured) -> Result<Box<dyn Session<Cpu>>, Unsupported> {
+        method.on_cpu()
+    }
+
+    fn place(&self, points: &Points) -> Result<Placed<Cpu>, EstimatorError> {
+        Ok(Placed {
+            points: points.clone(),
+            out: Estimate::new(points.len()),
+        })
+    }
+
+    fn solve(&self, needs: &Needs) -> Result<Option<f64>, EstimatorError> {
+        Ok(sum(self.solutions(needs).values().map(|s| s.ms)))
+    }
+
+    fn capture(&self, needs: &Needs) -> Result<(Captures<Cpu>, f64), EstimatorError> {
+        self.solve(needs)?;
+        let origin = self.scene.scene().capture_origin(needs.keep_within_m);
+        let mut captures = Captures::default();
+        let start = Instant::now();
+        for spec in &needs.cubes {
+            let capture = || capture_cube(&self.scene, origin, *spec);
+            let cube = self.cx.install(capture);
+            captures.cubes.insert(*spec, cube);
+        }
+        for spec in &needs.light_views {
+            let capture = || capture_light_views(&self.scene, *spec);
+            let views = self.cx.install(capture);
+            captures.light_views.insert(*spec, views);
+        }
+        let ms = milliseconds(start);
+        for &spec in &needs.directional_depths {
+            let depths = DirectionalDepths::new(self.scene.clone(), spec);
+            captures.depths.insert(spec, depths);
+        }
+        captures.environment = environment(needs, self.scene.scene());
+        if needs.light_transport {
+            captures.transport = Some(self.scene.clone());
+        }
+        Ok((captures, ms))
+    }
+
+    fn timed(&self, _label: &str, work: &mut Phase<'_, Cpu>) -> Result<f64, EstimatorError> {
+        let mut cx = self.cx;
+        let start = Instant::now();
+        work(&mut cx)?;
+        Ok(milliseconds(start))
+    }
+
+    fn read_back(&self, out: &Estimate) -> Result<(Estimate, Option<f64>), EstimatorError> {
+        Ok((out.clone(), None))
+    }
+
+    fn compiled_ms(&self) -> Option<f64> {
+        None
+    }
+
+    fn device_clock(&self) -> bool {
+        false
+    }
+}

@@ -1,0 +1,139 @@
+//! A scene on the GPU.
+
+use super::{CpuStage, Phase, Placed, Stage, environment, milliseconds, sum};
+use interreflect_estimators::{Captures, Configured, EstimatorError, Gpu, Session, Unsupported};
+use interreflect_gpu::{
+    GpuCoarseIrradiance, GpuContext, GpuDirectionalDepths, GpuEstimate, GpuOccluders, GpuPoints,
+    GpuScene, GpuTime, TimeSource, capture_cube, capture_light_views,
+};
+use interreflect_scene::{Estimate, Needs, Points};
+use std::cell::{Cell, RefCell};
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
+use std::sync::Arc;
+use std::time::Instant;
+
+/// A scene on the GPU.
+pub struct GpuStage<'a> {
+    /// The device.
+    pub context: Arc<GpuContext>,
+    /// The scene, uploaded.
+    pub scene: GpuScene,
+    host: CpuStage<'a>,
+    /// Uploaded coarse solutions by their bounces, with the milliseconds that solving and uploading
+    /// took.
+    coarse: RefCell<BTreeMap<u32, (GpuCoarseIrradiance, f64)>>,
+    /// All triangles, uploaded when depth maps of them are first asked for.
+    occluders: RefCell<Option<Arc<GpuOccluders>>>,
+    fell_back: Cell<bool>,
+}
+
+impl<'a> GpuStage<'a> {
+    /// A scene on a device; `host` is the same scene, for what the host computes once.
+    pub fn new(context: Arc<GpuContext>, scene: GpuScene, host: CpuStage<'a>) -> Self {
+        Self {
+            context,
+            scene,
+            host,
+            coarse: RefCell::default(),
+            occluders: RefCell::default(),
+            fell_back: Cell::new(false),
+        }
+    }
+
+    fn occluders(&self) -> Result<Arc<GpuOccluders>, EstimatorError> {
+        let mut known = self.occluders.borrow_mut();
+        let occluders = match known.take() {
+            Some(occluders) => occluders,
+            None => {
+                let scene = self.host.scene.scene();
+                Arc::new(GpuOccluders::new(&self.context, scene)?)
+            }
+        };
+        Ok(known.insert(occluders).clone())
+    }
+
+    /// Milliseconds of a recording; remembers if the device's clock was of no use.
+    fn milliseconds(&self, time: GpuTime) -> f64 {
+        if time.source == TimeSource::WallClock {
+            self.fell_back.set(true);
+        }
+        time.ms
+    }
+}
+
+impl Stage for GpuStage<'_> {
+    type Backend = Gpu;
+
+    fn open(&self, method: &dyn Configured) -> Result<Box<dyn Session<Gpu>>, Unsupported> {
+        method.on_gpu(&self.context)
+    }
+
+    fn place(&self, points: &Points) -> Result<Placed<Gpu>, EstimatorError> {
+        Ok(Placed {
+            points: GpuPoints::upload(&self.context, points)?,
+            out: GpuEstimate::new(&self.context, points.len())?,
+        })
+    }
+
+    fn solve(&self, needs: &Needs) -> Result<Option<f64>, EstimatorError> {
+        let solutions = self.host.solutions(needs);
+        let mut uploaded = self.coarse.borrow_mut();
+        for (&bounces, solution) in &solutions {
+            if let Entry::Vacant(place) = uploaded.entry(bounces) {
+                let start = Instant::now();
+                let (context, scene) = (&self.context, &self.scene);
+                let coarse = GpuCoarseIrradiance::upload(context, scene, &solution.irradiance)?;
+                place.insert((coarse, solution.ms + milliseconds(start)));
+            }
+        }
+        Ok(sum(solutions
+            .keys()
+            .filter_map(|k| Some(uploaded.get(k)?.1))))
+    }
+
+    fn capture(&self, needs: &Needs) -> Result<(Captures<Gpu>, f64), EstimatorError> {
+        self.solve(needs)?;
+        let coarse = self.coarse.borrow();
+        let scene = self.host.scene.scene();
+        let origin = scene.capture_origin(needs.keep_within_m);
+        let mut captures = Captures::default();
+        let (_, time) = self.context.record("capture", |cx| {
+            for spec in &needs.cubes {
+                let coarse = coarse.get(&spec.bounces).map(|(c, _)| c);
+                let cube = capture_cube(cx, &self.scene, origin, *spec, coarse)?;
+                captures.cubes.insert(*spec, cube);
+            }
+            for spec in &needs.light_views {
+                let views = capture_light_views(cx, &self.scene, *spec)?;
+                captures.light_views.insert(*spec, views);
+            }
+            Ok::<_, EstimatorError>(())
+        })?;
+        for &spec in &needs.directional_depths {
+            let depths = GpuDirectionalDepths::new(self.occluders()?, spec);
+            captures.depths.insert(spec, depths);
+        }
+        captures.environment = environment(needs, scene);
+        Ok((captures, self.milliseconds(time)))
+    }
+
+    fn timed(&self, label: &str, work: &mut Phase<'_, Gpu>) -> Result<f64, EstimatorError> {
+        let (_, time) = self.context.record(label, |cx| work(cx))?;
+        Ok(self.milliseconds(time))
+    }
+
+    fn read_back(&self, out: &GpuEstimate) -> Result<(Estimate, Option<f64>), EstimatorError> {
+        let start = Instant::now();
+        let estimate = out.download(&self.context)?;
+        Ok((estimate, Some(milliseconds(start))))
+    }
+
+    fn compiled_ms(&self) -> Option<f64> {
+        Some(self.context.cache_stats().ms)
+    }
+
+    fn device_clock(&self) -> bool {
+        self.context.device_clock() && !self.fell_back.get()
+    }
+}
