@@ -2,3 +2,7 @@
 
 pub mod form_factors;
 pub mod polygon;
+#[cfg(test)]
+mod quadrature;
+pub mod skies;
+pub mod solid_angle;
