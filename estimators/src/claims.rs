@@ -76,11 +76,13 @@ pub enum Answers {
     Uniform,
     /// A sky that changes slowly with direction.
     Smooth,
-    /// Patches with edges: rectangles, discs, spheres, walls, half a sky.
+    /// Closed rooms whose walls differ.
+    Walls,
+    /// Patches alone in the dark: rectangles, discs, spheres, half a sky.
     Patches,
     /// Openness beside simple occluders.
     Openness,
-    /// Walls that reflect the light of a lamp once, or as often as the model has it.
+    /// Walls that reflect the light of a lamp, as often as the model has it.
     Lit,
 }
 
