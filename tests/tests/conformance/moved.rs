@@ -7,8 +7,8 @@ use crate::world::{
 };
 use glam::Vec3;
 use interreflect::measure::measure;
-use interreflect::stage::Stage;
 use interreflect_cpu::scene::CpuScene;
+use interreflect_estimators::stage::Stage;
 use interreflect_estimators::{Changed, Inputs};
 use interreflect_scene::{Points, Scene};
 use libtest_mimic::{Failed, Trial};
