@@ -1,6 +1,7 @@
 //! Exact answers.
 
 pub mod form_factors;
+pub mod lobes;
 pub mod polygon;
 #[cfg(test)]
 mod quadrature;

@@ -106,7 +106,7 @@ mod tests {
     #[test]
     fn a_hemispherical_sky_is_exact_in_nine_harmonics() {
         // Made of delta lights over the upper half: the odd bands above 1 are all that is lost, and
-        // a clamped cosine has none. The sky jumps, so half a row of cells counts: 2π/2048.
+        // a clamped cosine has none. The sky jumps between two rows of cells: 1/N² is left.
         for tilt in TILTS {
             let n = DVec3::new(tilt.sin(), 0.0, tilt.cos());
             let sum = over_sphere(|d| {
