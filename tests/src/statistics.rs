@@ -68,7 +68,7 @@ pub struct Scores {
     cautious: Vec<(usize, f64)>,
     /// The same over the spread alone: the mean square of these is not to be small.
     bare: Vec<(usize, f64)>,
-    /// Largest relative standard deviation of a sum, root mean square over the points.
+    /// Root mean square of the spread over that of the estimates.
     noise: f64,
 }
 
@@ -129,7 +129,7 @@ impl Scores {
         self.cautious.push((point, score(t, value.freedom)));
     }
 
-    /// Root mean square of the spread over that of the estimates: what the trial can see.
+    /// Root mean square of the spread over that of the estimates: above it, a trial sees nothing.
     pub fn noise(&self) -> f64 {
         self.noise
     }

@@ -1,7 +1,7 @@
 //! Closed rooms, where the answer is known with all reflections; the public point sets.
 
 use super::scenes::{add, cpu, directions, glowing, places, turned, under, walls};
-use super::{IRRADIANCE, hold};
+use super::{IRRADIANCE, exactly, hold};
 use crate::room_points::ROOM;
 use crate::subjects::{ROOM_RADIANCES, box_with, inside, shared_points};
 use crate::world::{Outcome, ignored};
@@ -48,8 +48,7 @@ fn everywhere() -> Points {
 fn furnace() -> Outcome {
     let scene = cpu(&walls([glowing(0.0, 1.0); 6]));
     let traced = IRRADIANCE.trace(&scene, &everywhere());
-    // Each sample is exact; only rounding is left.
-    hold(Scores::against(&traced, |_| PI), 1e-6)
+    exactly(&traced, PI)
 }
 
 /// Each number of reflections gives its term of the series, and all of them its sum.
