@@ -1,12 +1,12 @@
 //! Results have the same bits for any order of the points, on the CPU also for any number of
-//! threads and any instruction set, and however often a session was prepared.
+//! threads, any instruction set and one point at a time, and however often a session was prepared.
 
 use crate::subjects::{SUBJECTS, Subject, same_bits};
 use crate::world::{
     Outcome, Variant, captures, cpu_stage, estimate, gpu_stage, ignored, on_gpu, run, variants,
 };
 use interreflect::stage::{CpuStage, Stage};
-use interreflect_cpu::tiles::{CpuCx, InstructionSet};
+use interreflect_cpu::tiles::{Arithmetic, CpuCx, InstructionSet};
 use interreflect_estimators::{Changed, Inputs};
 use interreflect_scene::params::Choice;
 use interreflect_scene::{Estimate, Point, Points};
@@ -60,6 +60,13 @@ fn threads_and_instructions(subject: &'static Subject, variant: &Variant) -> Out
         }
     }
     let cx = CpuCx::new(Some(2), None)?;
+    let stage = CpuStage {
+        cx: &cx.with_arithmetic(Arithmetic::Scalar),
+        scene: subject.cpu.clone(),
+    };
+    let one_at_a_time = run(&stage, subject, variant, &points)?;
+    let first = first.ok_or("no instruction set")?;
+    same_bits(&first, one_at_a_time.iter()).map_err(|e| format!("one at a time: {e}"))?;
     let stage = CpuStage {
         cx: &cx,
         scene: subject.cpu.clone(),
