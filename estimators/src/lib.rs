@@ -14,6 +14,7 @@ mod lobes;
 mod method;
 mod model;
 mod quantity;
+mod records;
 mod registry;
 
 pub mod classic_envmap;
@@ -41,4 +42,5 @@ pub use error::{EstimatorError, Unsupported};
 pub use method::{Estimator, Info, Method};
 pub use model::OwnModel;
 pub use quantity::Quantity;
+pub use records::{Prepared, Records};
 pub use registry::{Configured, CpuOnly, Entry, Registry, Session, UnknownEstimator};

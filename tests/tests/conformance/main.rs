@@ -9,6 +9,7 @@ mod costs;
 mod environment_maps;
 mod errata;
 mod form_factors;
+mod ladder;
 mod moved;
 mod needs;
 mod openness;
@@ -36,6 +37,7 @@ fn main() {
         bits::trials(),
         costs::trials(),
         parity::trials(),
+        ladder::trials(),
         moved::trials(),
         bounces::trials(),
         errata::trials(),
