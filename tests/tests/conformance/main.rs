@@ -8,6 +8,7 @@ mod costs;
 mod environment_maps;
 mod errata;
 mod form_factors;
+mod ladder;
 mod moved;
 mod openness;
 mod parity;
@@ -36,6 +37,7 @@ fn main() {
         verify::trials(),
         costs::trials(),
         parity::trials(),
+        ladder::trials(),
         moved::trials(),
         bounces::trials(),
         errata::trials(),
