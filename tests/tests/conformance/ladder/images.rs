@@ -8,9 +8,9 @@ use crate::world::{Outcome, Variant, captures, cpu_stage, gpu_stage, ignored, on
 use glam::Vec3;
 use interreflect::measure::measure;
 use interreflect::output::HdrImage;
-use interreflect::stage::{CpuStage, GpuStage, Stage};
 use interreflect::view::View;
 use interreflect_estimators::Quantity;
+use interreflect_estimators::stage::{CpuStage, GpuStage, Stage};
 use interreflect_gpu::GpuContext;
 use interreflect_scene::Camera;
 use libtest_mimic::{Failed, Trial};

@@ -5,7 +5,6 @@ use crate::ensure;
 use crate::parity::upload;
 use crate::subjects::{SUBJECTS, Subject};
 use crate::world::{CPU, Outcome, cpu_stage, gpu_stage, on_gpu};
-use interreflect::stage::Stage;
 use interreflect_conformance::tolerance::Tolerance;
 use interreflect_estimators::classic_envmap::ClassicEnvmap;
 use interreflect_estimators::constant_ambient::ConstantAmbient;
@@ -16,6 +15,7 @@ use interreflect_estimators::phong_envmap::PhongEnvmap;
 use interreflect_estimators::point_form_factor::PointFormFactor;
 use interreflect_estimators::polygon_form_factor::PolygonFormFactor;
 use interreflect_estimators::sh_mip_envmap::ShMipEnvmap;
+use interreflect_estimators::stage::Stage;
 use interreflect_estimators::{
     Captures, Changed, Cpu, Estimator, Gpu, Inputs, Method, Prepared, Quantity, Records, Registry,
 };
