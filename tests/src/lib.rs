@@ -3,6 +3,7 @@
 //! [`oracles`] are exact formulas, [`own_model`] evaluates what a method claims to compute by a
 //! deterministic integral, [`tolerance`] says how far two computations may part and why.
 
+pub mod exchange;
 pub mod oracles;
 pub mod own_model;
 pub mod tolerance;
