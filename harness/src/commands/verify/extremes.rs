@@ -105,8 +105,9 @@ fn text(rows: &[Row]) -> String {
             axes.push(row.axis);
         }
     }
-    let mut header = vec!["estimator", "on"];
-    header.extend(&axes);
+    let named = axes.iter().map(|axis| axis.replace('_', "\n"));
+    let mut header = vec!["estimator".to_owned(), "on".to_owned()];
+    header.extend(named);
     let mut lines = table::plain(&header);
     let mut rest = rows;
     while let Some(first) = rest.first() {
@@ -114,13 +115,14 @@ fn text(rows: &[Row]) -> String {
         let count = rest.iter().take_while(|r| key(r) == key(first)).count();
         let (group, others) = rest.split_at(count);
         rest = others;
-        let name = format!("{} {}", first.estimator, first.fidelity.unwrap_or_default());
+        let fidelity = first.fidelity.map(|f| format!("\n  {f}"));
+        let name = first.estimator.to_owned() + &fidelity.unwrap_or_default();
         let mut cells = vec![name, first.backend.to_string()];
         cells.extend(axes.iter().map(|axis| worst(group, axis)));
         lines.add_row(cells);
     }
     let mut text = format!(
-        "largest relative error against the same formula in float64, and where it is met\n{lines}"
+        "largest relative error against the same formula in float64 (at which value: --out)\n{lines}"
     );
     for row in rows.iter().filter(|r| r.verdict == Verdict::Failed.name()) {
         let fidelity = row.fidelity.unwrap_or_default();
@@ -132,15 +134,14 @@ fn text(rows: &[Row]) -> String {
     text
 }
 
-/// The largest error of a group on an axis, and where.
+/// The largest error of a group on an axis; with a mark where something failed.
 fn worst(group: &[Row], axis: &str) -> String {
     let on_axis = || group.iter().filter(|r| r.axis == axis);
-    let errors = on_axis().filter_map(|r| Some((r.relative_error?, r.value)));
-    let worst = errors.max_by(|a, b| a.0.total_cmp(&b.0));
+    let worst = on_axis().filter_map(|r| r.relative_error).reduce(f64::max);
     let failed = on_axis().any(|r| r.verdict == Verdict::Failed.name());
     let mark = if failed { "!" } else { "" };
     match worst {
-        Some((error, value)) => format!("{error:.0e} at {value:.0e}{mark}"),
+        Some(error) => format!("{error:.0e}{mark}"),
         None if on_axis().any(|r| r.verdict == Verdict::Passed.name()) => format!("refused{mark}"),
         None => format!("–{mark}"),
     }

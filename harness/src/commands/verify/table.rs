@@ -99,7 +99,7 @@ fn checks(group: &[Record]) -> Table {
 }
 
 /// An empty table with a header.
-pub(super) fn plain(header: &[&str]) -> Table {
+pub(super) fn plain<T: ToString>(header: &[T]) -> Table {
     let mut table = Table::new();
     let rule = LineStyle::none().fill('─').junction('─');
     table.load_style(presets::NOTHING.header_separator(rule));
@@ -107,6 +107,6 @@ pub(super) fn plain(header: &[&str]) -> Table {
     if !table.is_tty() {
         table.set_width(WIDTH_IN_A_PIPE);
     }
-    table.set_header(header);
+    table.set_header(header.iter().map(T::to_string));
     table
 }

@@ -78,8 +78,8 @@ pub(super) fn all() -> Vec<Axis> {
             ..axis("shininess", "exponent", || from_nothing(0, 5), shininess)
         },
         Axis {
-            bounded: false,
-            ..axis("normal_length", "", || from_nothing(-30, 6), normal_length)
+            refusable: true,
+            ..axis("normal_length", "", normal_lengths, normal_length)
         },
         Axis {
             refusable: true,
@@ -91,6 +91,11 @@ pub(super) fn all() -> Vec<Axis> {
             )
         },
     ]
+}
+
+/// None of them 1.
+fn normal_lengths() -> Vec<f64> {
+    vec![0.0, 1e-30, 1e-10, 1e-3, 0.9, 1.1, 1e3, 1e30]
 }
 
 /// A box of unequal walls with points all over it.
