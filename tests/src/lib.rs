@@ -4,6 +4,7 @@
 //! deterministic integral, [`tolerance`] says how far two computations may part and why, and
 //! [`statistics`] whether path-traced estimates agree.
 
+pub mod exchange;
 pub mod oracles;
 pub mod own_model;
 pub mod statistics;

@@ -4,9 +4,9 @@ use super::math::{ambient_irradiance, ambient_reflection};
 use super::{ConstantAmbient, ConstantAmbientParams};
 use crate::averaging::{face_solid_angles_sr, mean_radiance};
 use crate::kept::Kept;
-use crate::{Cpu, Estimator, EstimatorError, Inputs, Quantity};
+use crate::{Cpu, Estimator, EstimatorError, Inputs, Prepared, Quantity, Records};
 use glam::Vec3;
-use interreflect_cpu::lane::{WIDTH, Wide};
+use interreflect_cpu::lane::Lane;
 use interreflect_cpu::tiles::{CpuCx, PointLanes, TileKernel};
 use interreflect_scene::conventions::CUBE_FACES;
 use interreflect_scene::{Estimate, PointLayout};
@@ -16,6 +16,14 @@ use interreflect_scene::{Estimate, PointLayout};
 pub struct State {
     omegas_sr: Kept<ConstantAmbientParams, Vec<f32>>,
     radiance: Option<Vec3>,
+}
+
+impl Prepared<Cpu> for State {
+    fn records(&self, _caps: &()) -> Result<Vec<Records>, EstimatorError> {
+        let radiance = self.radiance.iter();
+        let record = |rgb: &Vec3| Records::host("mean", &[rgb.extend(0.0).to_array()]);
+        Ok(radiance.map(record).collect())
+    }
 }
 
 impl Estimator<Cpu> for ConstantAmbient {
@@ -59,9 +67,8 @@ struct Diffuse([f32; 3]);
 
 impl TileKernel for Diffuse {
     #[inline(always)]
-    fn shade(&self, _points: &PointLanes<'_>) -> [Wide; 3] {
-        self.0
-            .map(|radiance| ambient_irradiance(Wide([radiance; WIDTH])))
+    fn shade<L: Lane>(&self, _points: &PointLanes<'_, L>) -> [L; 3] {
+        self.0.map(|radiance| ambient_irradiance(L::from(radiance)))
     }
 }
 
@@ -69,12 +76,12 @@ struct Glossy([f32; 3]);
 
 impl TileKernel for Glossy {
     #[inline(always)]
-    fn shade(&self, points: &PointLanes<'_>) -> [Wide; 3] {
+    fn shade<L: Lane>(&self, points: &PointLanes<'_, L>) -> [L; 3] {
         std::array::from_fn(|c| {
             ambient_reflection(
                 points.plane(PointLayout::DIFFUSE + c),
                 points.plane(PointLayout::SPECULAR + c),
-                Wide([self.0[c]; WIDTH]),
+                self.0[c].into(),
             )
         })
     }

@@ -7,6 +7,7 @@
 mod answers;
 mod case;
 mod converge;
+mod extremes;
 mod laws;
 mod property;
 mod rig;
@@ -16,6 +17,7 @@ mod subject;
 mod world;
 
 pub use case::Case;
+pub use extremes::{Extreme, extremes};
 pub use rig::{OnStage, Rig, VerifyError};
 pub use rules::rules_in;
 pub use settings::quick;
@@ -143,6 +145,17 @@ pub fn checks() -> impl Iterator<Item = Check> {
 }
 
 impl Check {
+    /// Whether this is how a claim is tried.
+    pub fn asks(&self, claim: &Claim) -> bool {
+        match &self.kind {
+            Kind::Rule(_) => false,
+            Kind::Answer(answer) => answer.asks(claim),
+            Kind::Property(property) => property.asks(claim),
+            Kind::Convergence => matches!(claim, Claim::Converges { .. }),
+            Kind::Law(law) => law.asks(claim),
+        }
+    }
+
     /// Carries the check out.
     pub fn run(&self, subject: &Subject<'_>) -> Checked {
         if let Err(why) = subject.rig.opens(subject.method) {

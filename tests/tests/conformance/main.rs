@@ -3,14 +3,13 @@
 //! Trials that need a device show as ignored, with the reason, where there is none; with
 //! `INTERREFLECT_REQUIRE_GPU=1` they then fail.
 
-mod bits;
 mod bounces;
 mod costs;
 mod environment_maps;
 mod errata;
 mod form_factors;
+mod ladder;
 mod moved;
-mod needs;
 mod openness;
 mod parity;
 mod parity_views;
@@ -19,9 +18,11 @@ mod radiance_maps;
 mod room;
 mod room_points;
 mod room_ties;
+mod rules;
 mod shaders;
 mod subjects;
 mod twins;
+mod verify;
 mod visibility;
 mod world;
 
@@ -32,10 +33,11 @@ fn main() {
     let trials: Vec<Trial> = [
         shaders::trials(),
         twins::trials(),
-        needs::trials(),
-        bits::trials(),
+        rules::trials(),
+        verify::trials(),
         costs::trials(),
         parity::trials(),
+        ladder::trials(),
         moved::trials(),
         bounces::trials(),
         errata::trials(),
