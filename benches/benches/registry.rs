@@ -4,10 +4,10 @@
 
 use criterion::{BenchmarkGroup, BenchmarkId, Criterion, Throughput, measurement::WallTime};
 use criterion::{criterion_group, criterion_main};
-use interreflect::stage::{CpuStage, GpuStage, Placed, Stage};
 use interreflect::view::View;
 use interreflect_cpu::scene::CpuScene;
 use interreflect_cpu::tiles::CpuCx;
+use interreflect_estimators::stage::{CpuStage, GpuStage, Placed, Stage};
 use interreflect_estimators::{
     Changed, Configured, EstimatorError, Inputs, Quantity, Registry, Unsupported,
 };

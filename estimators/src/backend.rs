@@ -23,6 +23,8 @@ mod sealed {
 
 /// Where an estimator runs.
 pub trait Backend: sealed::Sealed + Copy + Send + Sync + 'static {
+    /// Its name on the command line and in records.
+    const NAME: &'static str;
     /// What varies from machine to machine.
     type Caps;
     /// What an estimator runs with: threads, or an open command encoder.
@@ -50,6 +52,7 @@ pub struct Cpu;
 pub struct Gpu;
 
 impl Backend for Cpu {
+    const NAME: &'static str = "cpu";
     type Caps = ();
     type Cx<'c> = &'c CpuCx;
     type Cube = CubeImage;
@@ -61,6 +64,7 @@ impl Backend for Cpu {
 }
 
 impl Backend for Gpu {
+    const NAME: &'static str = "gpu";
     type Caps = GpuContext;
     type Cx<'c> = GpuCx;
     type Cube = GpuCube;

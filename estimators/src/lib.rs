@@ -5,6 +5,7 @@
 
 mod averaging;
 mod backend;
+mod claims;
 mod error;
 mod fields;
 mod kept;
@@ -28,6 +29,7 @@ pub mod point_form_factor;
 pub mod polygon_form_factor;
 pub mod reflection;
 pub mod sh_mip_envmap;
+pub mod stage;
 pub mod texels;
 
 /// WGSL twin of [`interreflect_cpu::lane::Lane::lobe_power`].
@@ -37,6 +39,7 @@ const LOBE_POWER: &str = include_str!("lobe_power.wgsl");
 const ANGLE: &str = include_str!("angle.wgsl");
 
 pub use backend::{Backend, Captures, Changed, Cpu, Gpu, Inputs, Seen};
+pub use claims::{Answers, Claim, FormFactorLaw, PatchKernel};
 pub use error::{EstimatorError, Unsupported};
 pub use method::{Estimator, Info, Method};
 pub use model::OwnModel;

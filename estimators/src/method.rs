@@ -1,6 +1,7 @@
 //! The traits that a method implements.
 
 use crate::backend::{Backend, Inputs};
+use crate::claims::Claim;
 use crate::error::{EstimatorError, Unsupported};
 use crate::model::OwnModel;
 use crate::quantity::Quantity;
@@ -40,6 +41,9 @@ pub trait Method: Send + Sync + 'static {
 
     /// What it claims to compute.
     fn model(params: &Self::Params, quantity: Quantity) -> OwnModel;
+
+    /// What holds for its estimates with these parameters: `verify` checks it.
+    fn claims(params: &Self::Params, quantity: Quantity) -> Vec<Claim>;
 }
 
 /// How a method runs on a backend.

@@ -1,6 +1,7 @@
 //! The list of methods, and how their types are erased: one virtual call per prepare or shade.
 
 use crate::backend::{Backend, Cpu, Gpu, Inputs};
+use crate::claims::Claim;
 use crate::error::{EstimatorError, Unsupported};
 use crate::method::{Estimator, Info, Method};
 use crate::model::OwnModel;
@@ -29,6 +30,8 @@ pub trait Configured: Send + Sync {
     fn needs(&self, quantity: Quantity, scene: &SceneFacts) -> Result<Needs, Unsupported>;
     /// See [`Method::model`].
     fn model(&self, quantity: Quantity) -> OwnModel;
+    /// See [`Method::claims`].
+    fn claims(&self, quantity: Quantity) -> Vec<Claim>;
     /// Starts a session on the CPU.
     ///
     /// # Errors
@@ -163,6 +166,9 @@ impl<M: Method> Configured for Typed<M> {
     }
     fn model(&self, quantity: Quantity) -> OwnModel {
         M::model(&self.params, quantity)
+    }
+    fn claims(&self, quantity: Quantity) -> Vec<Claim> {
+        M::claims(&self.params, quantity)
     }
     fn on_cpu(&self) -> Result<Box<dyn Session<Cpu>>, Unsupported> {
         let open = self.cpu.map_err(|why| Unsupported(why.into()))?;

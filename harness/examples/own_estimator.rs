@@ -5,8 +5,8 @@
 use glam::Vec3;
 use interreflect_cpu::tiles::CpuCx;
 use interreflect_estimators::{
-    Cpu, CpuOnly, Entry, Estimator, EstimatorError, Info, Inputs, Method, OwnModel, Quantity,
-    Registry, Unsupported,
+    Answers, Claim, Cpu, CpuOnly, Entry, Estimator, EstimatorError, Info, Inputs, Method, OwnModel,
+    Quantity, Registry, Unsupported,
 };
 use interreflect_scene::conventions::{CUBE_FACES, cube_vector, texel_centre, texel_index};
 use interreflect_scene::params::{Field, Params};
@@ -69,6 +69,23 @@ impl Method for HemisphereAmbient {
 
     fn model(_: &HemisphereParams, _: Quantity) -> OwnModel {
         OwnModel::EnvironmentAtInfinity { bounces: 0 }
+    }
+
+    fn claims(_: &HemisphereParams, _: Quantity) -> Vec<Claim> {
+        vec![
+            Claim::NonNegative,
+            Claim::Bounded {
+                by: 1.0,
+                cause: "a mean of means over half the sphere",
+            },
+            Claim::Linear,
+            Claim::PositionInvariant,
+            Claim::Meets {
+                answers: Answers::Uniform,
+                within: 1e-5,
+                cause: "float32 sums over the captured texels",
+            },
+        ]
     }
 }
 

@@ -3,10 +3,12 @@
 mod options;
 mod render;
 mod values;
+mod verify;
 
 pub use options::{Backends, ReferenceBudget, RunOptions, SceneOptions};
 pub use render::{Render, Show};
 pub use values::{MaterialArg, Setting};
+pub use verify::Verify;
 
 use crate::record::Backend;
 use clap::{Args, Parser, Subcommand, error::ErrorKind};
@@ -33,7 +35,8 @@ Examples:
   interreflect bench cornell-box --estimator localized_cubemap --set resolution=8 --out results
   interreflect render studio --estimator classic_envmap --environment sky.hdr --receiver bunny.obj
   interreflect probe room.obj --estimator localized_cubemap --points points.csv --json
-  interreflect compare a.exr b.exr";
+  interreflect compare a.exr b.exr
+  interreflect verify --estimator polygon_form_factor";
 
 /// The commands.
 #[derive(Clone, Debug, PartialEq, Subcommand)]
@@ -50,6 +53,8 @@ pub enum Command {
     Reference(ReferenceCommand),
     /// Compare two images in linear HDR
     Compare(Compare),
+    /// Check what estimators must keep to, exact answers, and what they claim
+    Verify(Verify),
 }
 
 /// `interreflect list`.

@@ -62,6 +62,14 @@ pub enum HarnessError {
         /// Why the first one did.
         first: String,
     },
+    /// Some checks failed; all of them are reported.
+    #[error("{failed} of {checks} checks failed")]
+    Falsified {
+        /// Checks that failed.
+        failed: usize,
+        /// All that were carried out.
+        checks: usize,
+    },
     /// The report can't be made.
     #[error(transparent)]
     Report(#[from] crate::report::ReportError),

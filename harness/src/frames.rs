@@ -2,7 +2,7 @@
 
 use crate::error::HarnessError;
 use crate::metrics::check_finite;
-use crate::stage::{Placed, Stage};
+use interreflect_estimators::stage::{Placed, Stage};
 use interreflect_estimators::{
     Backend, Captures, Changed, Configured, Inputs, Quantity, Seen, Session,
 };

@@ -148,7 +148,19 @@ impl Lab {
         id: &str,
         settings: &[Setting],
     ) -> Result<Box<dyn Configured>, HarnessError> {
-        let mut method = self.registry.get(id)?.configure();
+        self.configured(self.registry.get(id)?.configure(), settings)
+    }
+
+    /// As [`Lab::configure`], from other defaults.
+    ///
+    /// # Errors
+    /// [`HarnessError`] if a setting is refused.
+    pub fn configured(
+        &self,
+        mut method: Box<dyn Configured>,
+        settings: &[Setting],
+    ) -> Result<Box<dyn Configured>, HarnessError> {
+        let id = method.info().id;
         let refused = |error| HarnessError::Param {
             estimator: id.into(),
             error,

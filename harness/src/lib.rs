@@ -18,7 +18,6 @@ mod progress;
 mod quiet;
 pub mod record;
 pub mod report;
-pub mod stage;
 pub mod stages;
 pub mod table;
 pub mod truth;

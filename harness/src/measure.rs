@@ -3,7 +3,7 @@
 use crate::error::HarnessError;
 use crate::metrics::check_finite;
 use crate::record::{Phases, Timing};
-use crate::stage::{Placed, Stage};
+use interreflect_estimators::stage::{Placed, Stage};
 use interreflect_estimators::{Backend, Changed, Configured, Inputs, Quantity};
 use interreflect_scene::{Estimate, Needs, Points, Scene};
 

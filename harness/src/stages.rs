@@ -5,8 +5,8 @@ use crate::frames::{Frame, Frames, Shaded};
 use crate::lab::Loaded;
 use crate::measure::{Measured, measure};
 use crate::record::{Backend, TimeSource};
-use crate::stage::{CpuStage, GpuStage, Stage};
 use interreflect_cpu::tiles::CpuCx;
+use interreflect_estimators::stage::{CpuStage, GpuStage, Stage};
 use interreflect_estimators::{Configured, Cpu, Gpu, Quantity, Unsupported};
 use interreflect_scene::{LightViewImage, Needs, Points};
 

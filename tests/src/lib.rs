@@ -6,3 +6,4 @@
 pub mod oracles;
 pub mod own_model;
 pub mod tolerance;
+pub mod verify;

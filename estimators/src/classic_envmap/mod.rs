@@ -8,7 +8,7 @@ pub mod math;
 mod params;
 
 use crate::convolution::Sizes;
-use crate::{Info, Method, OwnModel, Quantity, Unsupported};
+use crate::{Claim, Info, Method, OwnModel, Quantity, Unsupported};
 use interreflect_scene::{CubeSpec, Needs, SceneFacts};
 
 pub use params::ClassicEnvmapParams;
@@ -43,6 +43,10 @@ impl Method for ClassicEnvmap {
         OwnModel::EnvironmentAtInfinity {
             bounces: params.bounces,
         }
+    }
+
+    fn claims(_params: &Self::Params, _quantity: Quantity) -> Vec<Claim> {
+        Vec::new()
     }
 }
 

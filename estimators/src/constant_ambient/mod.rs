@@ -6,7 +6,7 @@ mod gpu;
 pub mod math;
 mod params;
 
-use crate::{Info, Method, OwnModel, Quantity, Unsupported};
+use crate::{Claim, Info, Method, OwnModel, Quantity, Unsupported};
 use interreflect_scene::{CubeSpec, Needs, SceneFacts};
 
 pub use params::ConstantAmbientParams;
@@ -40,6 +40,10 @@ impl Method for ConstantAmbient {
         OwnModel::MeanRadiance {
             bounces: params.bounces,
         }
+    }
+
+    fn claims(_params: &Self::Params, _quantity: Quantity) -> Vec<Claim> {
+        Vec::new()
     }
 }
 

@@ -8,7 +8,7 @@ pub mod math;
 mod params;
 mod samples;
 
-use crate::{Info, Method, OwnModel, Quantity, Unsupported};
+use crate::{Claim, Info, Method, OwnModel, Quantity, Unsupported};
 use interreflect_scene::params::Fidelity;
 use interreflect_scene::{LightViewChannels, LightViewSpec, Needs, SceneFacts};
 
@@ -63,6 +63,10 @@ impl Method for DirectRadianceMap {
         OwnModel::FirstHitsOfLights {
             directional: params.shining(),
         }
+    }
+
+    fn claims(_params: &Self::Params, _quantity: Quantity) -> Vec<Claim> {
+        Vec::new()
     }
 }
 

@@ -12,7 +12,9 @@ mod progress;
 mod sphere;
 mod todo;
 
-use crate::{Backend, EstimatorError, Info, Inputs, Method, OwnModel, Quantity, Unsupported};
+use crate::{
+    Backend, Claim, EstimatorError, Info, Inputs, Method, OwnModel, Quantity, Unsupported,
+};
 use environment::Blurred;
 use glam::DVec3;
 use interreflect_cpu::path_tracer::LightPaths;
@@ -68,6 +70,10 @@ impl Method for DirectionalAo {
             Quantity::Irradiance => OwnModel::OccludedEnvironment,
             _ => OwnModel::LightTransport(LightPaths::default()),
         }
+    }
+
+    fn claims(_params: &Self::Params, _quantity: Quantity) -> Vec<Claim> {
+        Vec::new()
     }
 }
 

@@ -11,7 +11,7 @@ mod tables;
 
 use crate::texels;
 use crate::texels::average::{Averaging, Tables};
-use crate::{Info, Method, OwnModel, Quantity, Unsupported};
+use crate::{Claim, Info, Method, OwnModel, Quantity, Unsupported};
 use interreflect_scene::conventions::{cube_vector, texel_centre, texel_solid_angle_sr};
 use interreflect_scene::params::Fidelity;
 use interreflect_scene::{CubeSpec, Needs, SceneFacts};
@@ -48,6 +48,10 @@ impl Method for LocalizedCubemap {
         OwnModel::VisibleFromReference {
             bounces: params.bounces,
         }
+    }
+
+    fn claims(_params: &Self::Params, _quantity: Quantity) -> Vec<Claim> {
+        Vec::new()
     }
 }
 

@@ -4,7 +4,8 @@
 mod params;
 
 use crate::{
-    Cpu, CpuOnly, Estimator, EstimatorError, Info, Inputs, Method, OwnModel, Quantity, Unsupported,
+    Claim, Cpu, CpuOnly, Estimator, EstimatorError, Info, Inputs, Method, OwnModel, Quantity,
+    Unsupported,
 };
 use interreflect_cpu::path_tracer::{PathQuantity, Stop, trace};
 use interreflect_cpu::tiles::CpuCx;
@@ -44,6 +45,10 @@ impl Method for PathReference {
 
     fn model(params: &Self::Params, _quantity: Quantity) -> OwnModel {
         OwnModel::LightTransport(params.paths())
+    }
+
+    fn claims(_params: &Self::Params, _quantity: Quantity) -> Vec<Claim> {
+        Vec::new()
     }
 }
 

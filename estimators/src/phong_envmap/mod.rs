@@ -8,7 +8,7 @@ mod gpu;
 mod params;
 
 use crate::convolution::Sizes;
-use crate::{Info, Method, OwnModel, Quantity, Unsupported};
+use crate::{Claim, Info, Method, OwnModel, Quantity, Unsupported};
 use interreflect_scene::{CubeSpec, Needs, SceneFacts};
 
 pub use params::PhongEnvmapParams;
@@ -43,6 +43,10 @@ impl Method for PhongEnvmap {
         OwnModel::EnvironmentAtInfinity {
             bounces: params.bounces,
         }
+    }
+
+    fn claims(_params: &Self::Params, _quantity: Quantity) -> Vec<Claim> {
+        Vec::new()
     }
 }
 

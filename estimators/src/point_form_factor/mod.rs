@@ -9,7 +9,7 @@ mod params;
 
 use crate::texels;
 use crate::texels::average::{Averaging, Tables};
-use crate::{Info, Method, OwnModel, Quantity, Unsupported};
+use crate::{Claim, Info, Method, OwnModel, Quantity, Unsupported};
 use interreflect_scene::conventions::texel_solid_angle_sr;
 use interreflect_scene::{CubeSpec, Needs, SceneFacts};
 
@@ -45,6 +45,10 @@ impl Method for PointFormFactor {
         OwnModel::VisibleFromReference {
             bounces: params.bounces,
         }
+    }
+
+    fn claims(_params: &Self::Params, _quantity: Quantity) -> Vec<Claim> {
+        Vec::new()
     }
 }
 

@@ -10,7 +10,7 @@ mod params;
 
 use crate::texels;
 use crate::texels::average::{Averaging, Tables};
-use crate::{Info, Method, OwnModel, Quantity, Unsupported};
+use crate::{Claim, Info, Method, OwnModel, Quantity, Unsupported};
 use interreflect_scene::params::Fidelity;
 use interreflect_scene::{CubeSpec, Needs, SceneFacts};
 
@@ -46,6 +46,10 @@ impl Method for PolygonFormFactor {
         OwnModel::VisibleFromReference {
             bounces: params.bounces,
         }
+    }
+
+    fn claims(_params: &Self::Params, _quantity: Quantity) -> Vec<Claim> {
+        Vec::new()
     }
 }
 

@@ -9,7 +9,9 @@ pub mod math;
 mod params;
 mod tables;
 
-use crate::{Backend, EstimatorError, Info, Inputs, Method, OwnModel, Quantity, Unsupported};
+use crate::{
+    Backend, Claim, EstimatorError, Info, Inputs, Method, OwnModel, Quantity, Unsupported,
+};
 use glam::Vec3;
 use interreflect_scene::{CubeSpec, Needs, SceneFacts};
 
@@ -45,6 +47,10 @@ impl Method for ShMipEnvmap {
         OwnModel::EnvironmentAtInfinity {
             bounces: params.bounces,
         }
+    }
+
+    fn claims(_params: &Self::Params, _quantity: Quantity) -> Vec<Claim> {
+        Vec::new()
     }
 }
 

@@ -8,6 +8,7 @@ mod probe;
 mod reference;
 mod render;
 mod sequence;
+mod verify;
 
 use crate::cli::{Cli, Command, Show};
 use crate::error::HarnessError;
@@ -29,6 +30,7 @@ pub(crate) fn run(cli: Cli, registry: Registry, command_line: &str) -> Result<()
         Command::Probe(command) => probe::run(&command, registry),
         Command::Reference(command) => reference::run(&command, registry),
         Command::Compare(command) => compare::run(&command),
+        Command::Verify(command) => verify::run(&command, registry),
     }
 }
 

@@ -2,3 +2,4 @@
 
 pub mod form_factors;
 pub mod polygon;
+pub mod solid_angle;

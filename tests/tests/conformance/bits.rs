@@ -5,8 +5,8 @@ use crate::subjects::{SUBJECTS, Subject, same_bits};
 use crate::world::{
     Outcome, Variant, captures, cpu_stage, estimate, gpu_stage, ignored, on_gpu, run, variants,
 };
-use interreflect::stage::{CpuStage, Stage};
 use interreflect_cpu::tiles::{CpuCx, InstructionSet};
+use interreflect_estimators::stage::{CpuStage, Stage};
 use interreflect_estimators::{Changed, Inputs};
 use interreflect_scene::params::Choice;
 use interreflect_scene::{Estimate, Point, Points};

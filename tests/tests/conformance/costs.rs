@@ -3,8 +3,8 @@
 use crate::ensure;
 use crate::subjects::{SUBJECTS, Subject};
 use crate::world::{Outcome, Variant, captures, gpu_stage, on_gpu, variants};
-use interreflect::stage::{Placed, Stage};
 use interreflect_cpu::scene::CpuScene;
+use interreflect_estimators::stage::{Placed, Stage};
 use interreflect_estimators::{Changed, Inputs, Quantity};
 use interreflect_gpu::{GpuContext, GpuError, capture_cube, capture_light_views};
 use interreflect_scene::conventions::CUBE_FACES;

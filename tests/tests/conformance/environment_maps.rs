@@ -8,7 +8,7 @@ mod switches;
 use crate::subjects::SUBJECTS;
 use crate::world::{Outcome, Variant, cpu_stage, estimate, gpu_stage, on_gpu};
 use glam::{DVec3, Vec3};
-use interreflect::stage::{CpuStage, GpuStage, Stage};
+use interreflect_estimators::stage::{CpuStage, GpuStage, Stage};
 use interreflect_estimators::{Captures, Quantity, Registry};
 use interreflect_gpu::GpuCube;
 use interreflect_scene::conventions::{CUBE_FACES, cube_vector, texel_centre, texel_index};

@@ -5,9 +5,9 @@ use crate::ensure;
 use crate::subjects::{ROOM_ORIGIN, SUBJECTS, Subject, box_with, inside};
 use crate::world::{Outcome, Variant, configured, on_both, run};
 use glam::Vec3;
-use interreflect::stage::Stage;
 use interreflect_conformance::tolerance::Tolerance;
 use interreflect_estimators::Quantity;
+use interreflect_estimators::stage::Stage;
 use interreflect_scene::conventions::{
     CUBE_FACES, cube_vector, texel_centre, texel_solid_angle_sr,
 };

@@ -7,8 +7,8 @@ use crate::world::{
 };
 use glam::Vec3;
 use interreflect::measure::measure;
-use interreflect::stage::{Placed, Stage};
 use interreflect_cpu::scene::CpuScene;
+use interreflect_estimators::stage::{Placed, Stage};
 use interreflect_estimators::{Backend, Changed, Inputs, Quantity, Session};
 use interreflect_scene::{Estimate, Points, Role, Scene};
 use libtest_mimic::{Failed, Trial};

@@ -4,7 +4,7 @@ use crate::ensure;
 use crate::subjects::{SUBJECTS, Subject};
 use crate::world::{Outcome, Variant, captures, cpu_stage, gpu_stage, ignored, on_gpu, variants};
 use interreflect::measure::measure;
-use interreflect::stage::{Placed, Stage};
+use interreflect_estimators::stage::{Placed, Stage};
 use interreflect_estimators::{Captures, Changed, EstimatorError, Inputs};
 use interreflect_scene::{CubeChannels, CubeSpec, LightViewChannels, LightViewSpec, Needs};
 use libtest_mimic::{Failed, Trial};

@@ -7,9 +7,9 @@ use crate::subjects::Subject;
 use crate::world::{
     Outcome, Variant, configured, cpu_stage, gpu_stage, ignored, on_both, on_gpu, run,
 };
-use interreflect::stage::Stage;
 use interreflect_conformance::tolerance::Tolerance;
 use interreflect_estimators::Quantity;
+use interreflect_estimators::stage::Stage;
 use libtest_mimic::Trial;
 use std::f64::consts::PI;
 use std::sync::Arc;

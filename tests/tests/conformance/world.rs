@@ -1,11 +1,9 @@
 //! The methods and backends that trials are made over.
 
 use crate::subjects::Subject;
-use interreflect::stage::{CpuStage, GpuStage, Placed, Stage};
 use interreflect_cpu::tiles::CpuCx;
-use interreflect_estimators::{
-    Captures, Changed, Configured, Inputs, Quantity, Registry, Unsupported,
-};
+use interreflect_estimators::stage::{CpuStage, GpuStage, Stage, captured, estimated};
+use interreflect_estimators::{Captures, Configured, Quantity, Registry, Unsupported};
 use interreflect_gpu::{GpuContext, GpuError, GpuScene};
 use interreflect_scene::params::{Domain, FIDELITY};
 use interreflect_scene::{Estimate, Points, SceneFacts};
@@ -213,9 +211,8 @@ pub(crate) fn captures<S: Stage>(
     subject: &Subject,
     variant: &Variant,
 ) -> Result<Captures<S::Backend>, Failed> {
-    let facts = subject.cpu.scene().facts();
-    let needs = variant.method.needs(variant.quantity, &facts)?;
-    Ok(stage.capture(&needs)?.0)
+    let (scene, method) = (subject.cpu.scene(), &*variant.method);
+    Ok(captured(stage, scene, method, variant.quantity)?)
 }
 
 /// Prepares and shades with these captures.
@@ -226,23 +223,9 @@ pub(crate) fn estimate<S: Stage>(
     captures: &Captures<S::Backend>,
     points: &Points,
 ) -> Result<Estimate, Failed> {
-    let (scene, quantity) = (subject.cpu.scene(), variant.quantity);
-    let facts = scene.facts();
-    let needs = variant.method.needs(quantity, &facts)?;
-    let mut session = stage.open(&*variant.method)?;
-    let Placed {
-        points: placed,
-        mut out,
-    } = stage.place(points)?;
-    let origin = (facts, scene.capture_origin(needs.keep_within_m));
-    let inputs = Inputs::new(&needs, captures, &placed, points, origin, Changed::ALL);
-    stage.timed("prepare", &mut |cx| {
-        session.prepare(cx, quantity, &inputs, &out)
-    })?;
-    stage.timed("shade", &mut |cx| {
-        session.shade(cx, quantity, &inputs, &mut out)
-    })?;
-    Ok(stage.read_back(&out)?.0)
+    let (scene, method) = (subject.cpu.scene(), &*variant.method);
+    let quantity = variant.quantity;
+    Ok(estimated(stage, scene, method, quantity, captures, points)?)
 }
 
 /// Captures, prepares and shades.

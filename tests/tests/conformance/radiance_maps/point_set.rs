@@ -4,8 +4,8 @@ use crate::ensure;
 use crate::subjects::{Subject, shared_points};
 use crate::world::{Outcome, cpu_stage, gpu_stage, ignored, on_gpu};
 use glam::DVec3;
-use interreflect::stage::Stage;
 use interreflect_conformance::tolerance::Tolerance;
+use interreflect_estimators::stage::Stage;
 use interreflect_scene::conventions::texel_centre;
 use interreflect_scene::{
     Light, LightViewChannels, LightViewImage, LightViewSpec, Needs, Point, SceneRequest, open,

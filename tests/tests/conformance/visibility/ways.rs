@@ -4,12 +4,12 @@ use super::{AO, VERTICES, small};
 use crate::ensure;
 use crate::subjects::Subject;
 use crate::world::{CPU, Outcome, cpu_stage, gpu_stage};
-use interreflect::stage::Stage;
 use interreflect::view::View;
 use interreflect_estimators::directional_ao::{
     Bias, CpuState, DIRECTIONS, DirectionalAo, DirectionalAoParams, GpuState, Visibility,
     directions,
 };
+use interreflect_estimators::stage::Stage;
 use interreflect_estimators::{Changed, Cpu, Estimator, Gpu, Inputs, Method};
 use interreflect_gpu::GpuContext;
 use interreflect_scene::{Estimate, LANES, PointLayout, Points, SceneRequest, open};

@@ -3,13 +3,13 @@
 
 mod cpu;
 mod gpu;
+mod once;
 
 pub use cpu::CpuStage;
 pub use gpu::GpuStage;
+pub use once::{captured, estimated};
 
-use interreflect_estimators::{
-    Backend, Captures, Configured, EstimatorError, Session, Unsupported,
-};
+use crate::{Backend, Captures, Configured, EstimatorError, Session, Unsupported};
 use interreflect_scene::{Environment, Estimate, Needs, Points, Scene};
 use std::time::Instant;
 

@@ -1,13 +1,13 @@
 //! A scene on the CPU.
 
 use super::{Phase, Placed, Stage, environment, milliseconds, sum};
+use crate::{Captures, Configured, Cpu, EstimatorError, Session, Unsupported};
 use interreflect_cpu::capture::cube::capture_cube;
 use interreflect_cpu::capture::directional_depth::DirectionalDepths;
 use interreflect_cpu::capture::light_view::capture_light_views;
 use interreflect_cpu::path_tracer::CoarseSolution;
 use interreflect_cpu::scene::CpuScene;
 use interreflect_cpu::tiles::CpuCx;
-use interreflect_estimators::{Captures, Configured, Cpu, EstimatorError, Session, Unsupported};
 use interreflect_scene::{Estimate, Needs, Points};
 use std::collections::BTreeMap;
 use std::sync::Arc;

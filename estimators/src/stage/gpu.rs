@@ -1,7 +1,7 @@
 //! A scene on the GPU.
 
 use super::{CpuStage, Phase, Placed, Stage, environment, milliseconds, sum};
-use interreflect_estimators::{Captures, Configured, EstimatorError, Gpu, Session, Unsupported};
+use crate::{Captures, Configured, EstimatorError, Gpu, Session, Unsupported};
 use interreflect_gpu::{
     GpuCoarseIrradiance, GpuContext, GpuDirectionalDepths, GpuEstimate, GpuOccluders, GpuPoints,
     GpuScene, GpuTime, TimeSource, capture_cube, capture_light_views,

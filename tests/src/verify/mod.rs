@@ -1,0 +1,211 @@
+//! Every check that an estimator faces, whoever wrote it: the house's rules, exact answers, and what
+//! it claims.
+//!
+//! [`checks`] is the one list. A check gives a [`Finding`]: a number that has to stay at or below a
+//! bound, the worst over its cases, and for a random world ([`Case`]) the smallest counterexample.
+
+mod answers;
+mod case;
+mod converge;
+mod laws;
+mod property;
+mod rig;
+mod rules;
+mod settings;
+mod subject;
+mod world;
+
+pub use case::Case;
+pub use rig::{OnStage, Rig, VerifyError};
+pub use rules::rules_in;
+pub use settings::quick;
+pub use subject::Subject;
+pub use world::{Lighting, Placement, World, sky};
+
+use answers::Answer;
+use interreflect_estimators::{Claim, Unsupported};
+use laws::Law;
+use property::Property;
+use rules::Rule;
+
+/// One thing that is checked.
+pub struct Check {
+    /// Its name on the command line and in records.
+    pub name: &'static str,
+    /// What must hold, in a line.
+    pub about: &'static str,
+    kind: Kind,
+}
+
+enum Kind {
+    /// What every estimator must keep to.
+    Rule(Rule),
+    /// An exact answer.
+    Answer(Answer),
+    /// A claim tried in random worlds.
+    Property(Property),
+    /// Convergence in a parameter.
+    Convergence,
+    /// A law of form factors.
+    Law(Law),
+}
+
+/// What a check came to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Verdict {
+    /// It holds, by the margin between value and bound.
+    Passed,
+    /// It does not hold.
+    Failed,
+    /// It can't be asked of this estimator here; the note says why.
+    NotApplicable,
+    /// Not claimed, and not falsified in the cases that were tried.
+    Unclaimed,
+}
+
+impl Verdict {
+    /// Its name in records.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Passed => "passed",
+            Self::Failed => "failed",
+            Self::NotApplicable => "not_applicable",
+            Self::Unclaimed => "unclaimed",
+        }
+    }
+}
+
+/// What a check found.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Finding {
+    /// The worst that was met.
+    pub value: f64,
+    /// What it may be at most.
+    pub bound: f64,
+    /// Worlds or points that were tried.
+    pub cases: usize,
+    /// Where the worst was met, and what is left where the bound is not 0.
+    pub note: String,
+    /// The smallest random world in which it does not hold.
+    pub counterexample: Option<Case>,
+}
+
+impl Finding {
+    /// Whether it holds; a number that is none never does.
+    pub fn holds(&self) -> bool {
+        self.value <= self.bound
+    }
+}
+
+/// The result of one check.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Checked {
+    /// The verdict.
+    pub verdict: Verdict,
+    /// What was found; `None` where nothing ran.
+    pub finding: Option<Finding>,
+    /// The reason where nothing ran, or why it failed without a number.
+    pub reason: String,
+}
+
+impl Checked {
+    fn because(verdict: Verdict, reason: impl Into<String>) -> Self {
+        Self {
+            verdict,
+            finding: None,
+            reason: reason.into(),
+        }
+    }
+}
+
+/// Whether a check is asked of an estimator.
+enum Asked {
+    /// It must hold.
+    Claimed,
+    /// It is only tried.
+    Tried,
+}
+
+/// All checks, in the order in which they run.
+pub fn checks() -> impl Iterator<Item = Check> {
+    let rules = rules::all().into_iter();
+    let rules = rules.map(|r| (r.name, r.about, Kind::Rule(r)));
+    let answers = answers::all().into_iter();
+    let answers = answers.map(|a| (a.name, a.about, Kind::Answer(a)));
+    let properties = property::all().into_iter();
+    let properties = properties.map(|p| (p.name, p.about, Kind::Property(p)));
+    let convergence = std::iter::once((converge::NAME, converge::ABOUT, Kind::Convergence));
+    let laws = laws::all().into_iter();
+    let laws = laws.map(|l| (l.name, l.about, Kind::Law(l)));
+    let all = rules.chain(answers).chain(properties).chain(convergence);
+    all.chain(laws)
+        .map(|(name, about, kind)| Check { name, about, kind })
+}
+
+impl Check {
+    /// Carries the check out.
+    pub fn run(&self, subject: &Subject<'_>) -> Checked {
+        if let Err(why) = subject.rig.opens(subject.method) {
+            return Checked::because(Verdict::NotApplicable, why.to_string());
+        }
+        let (asked, found) = match &self.kind {
+            Kind::Rule(rule) => (Asked::Claimed, rule.run(subject)),
+            Kind::Answer(answer) => answer.run(subject),
+            Kind::Property(property) => property.run(subject),
+            Kind::Convergence => converge::run(subject),
+            Kind::Law(law) => law.run(subject),
+        };
+        judged(&asked, found)
+    }
+}
+
+/// Nothing found: a reason that lies in the method or the scene, or a failure.
+enum Nothing {
+    NotApplicable(String),
+    Broken(VerifyError),
+}
+
+impl From<VerifyError> for Nothing {
+    fn from(error: VerifyError) -> Self {
+        match error {
+            VerifyError::Unsupported(why) => why.into(),
+            broken => Self::Broken(broken),
+        }
+    }
+}
+
+impl From<Unsupported> for Nothing {
+    fn from(why: Unsupported) -> Self {
+        Self::NotApplicable(why.to_string())
+    }
+}
+
+type Found = Result<Finding, Nothing>;
+
+fn judged(asked: &Asked, found: Found) -> Checked {
+    match (found, asked) {
+        (Err(Nothing::NotApplicable(why)), _) => Checked::because(Verdict::NotApplicable, why),
+        (Err(Nothing::Broken(error)), _) => Checked::because(Verdict::Failed, error.to_string()),
+        (Ok(finding), asked) => {
+            let (verdict, reason) = match (asked, finding.holds()) {
+                (Asked::Claimed, true) => (Verdict::Passed, ""),
+                (Asked::Claimed, false) => (Verdict::Failed, ""),
+                (Asked::Tried, true) => (
+                    Verdict::Unclaimed,
+                    "not claimed, and not falsified in the cases tried",
+                ),
+                (Asked::Tried, false) => (Verdict::NotApplicable, "not claimed, and falsified"),
+            };
+            Checked {
+                verdict,
+                finding: Some(finding),
+                reason: reason.into(),
+            }
+        }
+    }
+}
+
+/// The bound that some claim of a method gives, and why.
+fn claimed<T>(subject: &Subject<'_>, of: impl Fn(&Claim) -> Option<T>) -> Option<T> {
+    subject.claims().iter().find_map(of)
+}

@@ -1,0 +1,201 @@
+//! Claims that are tried in random worlds.
+
+mod invariances;
+mod light;
+
+use super::case::Case;
+use super::world::{Lighting, World};
+use super::{Asked, Finding, Found, Nothing, Subject, VerifyError, claimed};
+use glam::Vec3;
+use interreflect_estimators::{Claim, Quantity};
+use interreflect_scene::Estimate;
+use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestError, TestRng, TestRunner};
+use std::cell::RefCell;
+
+/// A claim with the way to falsify it.
+pub(super) struct Property {
+    pub(super) name: &'static str,
+    pub(super) about: &'static str,
+    /// The bound that a claim sets, and its cause; `None` for another claim.
+    bound: fn(&Claim) -> Option<(f64, &'static str)>,
+    /// The bound where it is not claimed.
+    tried: f64,
+    /// What rounding may add to it.
+    slack: Slack,
+    /// Why it can't be asked under this lighting, if it can't.
+    out_of_place: fn(Lighting, Quantity) -> Option<&'static str>,
+    /// How far it is from holding in a world.
+    violation: fn(&Subject<'_>, &World) -> Result<Worst, VerifyError>,
+}
+
+/// What a bound leaves room for.
+#[derive(Clone, Copy, PartialEq)]
+enum Slack {
+    /// float32 sums.
+    Rounding,
+    /// And captured texels that lie on the edges of surfaces.
+    Edges,
+}
+
+/// All properties.
+pub(super) fn all() -> Vec<Property> {
+    light::all().into_iter().chain(invariances::all()).collect()
+}
+
+/// The worst that was met at the points of a world.
+#[derive(Clone, Copy, Debug, Default)]
+struct Worst {
+    value: f64,
+    point: usize,
+}
+
+impl Worst {
+    /// The largest of some values, over what surroundings of the greatest radiance would give.
+    fn of(values: impl Iterator<Item = f64>, greatest: f64) -> Self {
+        let mut worst = Self {
+            value: f64::NEG_INFINITY,
+            point: 0,
+        };
+        for (point, value) in values.enumerate() {
+            if value > worst.value || value.is_nan() {
+                worst = Self { value, point };
+            }
+        }
+        let nothing = worst.value <= 0.0 || greatest <= 0.0;
+        worst.value = match nothing {
+            // Nothing was sent: any light is beyond every bound.
+            true if worst.value > 0.0 => f64::INFINITY,
+            true => worst.value.max(0.0),
+            false => worst.value / greatest,
+        };
+        worst
+    }
+
+    /// The largest difference of two estimates.
+    fn apart(a: &Estimate, b: &Estimate, greatest: f64) -> Self {
+        Self::of(a.iter().zip(b.iter()).map(|(a, b)| apart(a, b)), greatest)
+    }
+
+    /// The larger of two.
+    fn or(self, other: Self) -> Self {
+        match self.value >= other.value {
+            true => self,
+            false => other,
+        }
+    }
+}
+
+fn apart(a: Vec3, b: Vec3) -> f64 {
+    f64::from((a - b).abs().max_element())
+}
+
+/// Worlds that a shrinking counterexample may be tried in.
+const SHRINKING: u32 = 120;
+
+impl Property {
+    /// Tries to falsify the claim.
+    pub(super) fn run(&self, subject: &Subject<'_>) -> (Asked, Found) {
+        let claim = claimed(subject, self.bound);
+        let asked = match claim {
+            Some(_) => Asked::Claimed,
+            None => Asked::Tried,
+        };
+        (asked, self.found(subject, claim))
+    }
+
+    fn found(&self, subject: &Subject<'_>, claim: Option<(f64, &'static str)>) -> Found {
+        let lighting = Lighting::of(subject.model(), subject.quantity);
+        if let Some(why) = (self.out_of_place)(lighting, subject.quantity) {
+            return Err(Nothing::NotApplicable(why.into()));
+        }
+        let (bound, cause) = claim.unwrap_or((self.tried, ""));
+        let bound = bound + self.slack(subject, lighting);
+        if let Some(case) = &subject.case {
+            return self.tell(subject, case, lighting, bound, cause, 1);
+        }
+        let worst = RefCell::new((Worst::default(), None));
+        let tried = RefCell::new(0);
+        let shrinking = match claim.is_some() {
+            true => SHRINKING,
+            false => 0,
+        };
+        let mut runner = runner(subject, shrinking);
+        let outcome = runner.run(&Case::any(), |case| {
+            *tried.borrow_mut() += 1;
+            match (self.violation)(subject, &case.world(lighting)) {
+                Ok(found) if found.value <= bound => {
+                    let mut worst = worst.borrow_mut();
+                    if found.value >= worst.0.value {
+                        *worst = (found, Some(case));
+                    }
+                    Ok(())
+                }
+                Ok(found) => Err(TestCaseError::fail(found.value.to_string())),
+                Err(VerifyError::Unsupported(why)) => Err(TestCaseError::reject(why.0)),
+                Err(broken) => Err(TestCaseError::fail(broken.to_string())),
+            }
+        });
+        let tried = tried.into_inner();
+        match outcome {
+            Ok(()) => Ok(Finding {
+                value: worst.into_inner().0.value,
+                bound,
+                cases: tried,
+                note: cause.into(),
+                counterexample: None,
+            }),
+            Err(TestError::Fail(_, case)) => {
+                self.tell(subject, &case, lighting, bound, cause, tried)
+            }
+            Err(TestError::Abort(why)) => Err(Nothing::NotApplicable(why.to_string())),
+        }
+    }
+
+    /// One world's finding, in words.
+    fn tell(
+        &self,
+        subject: &Subject<'_>,
+        case: &Case,
+        lighting: Lighting,
+        bound: f64,
+        cause: &str,
+        cases: usize,
+    ) -> Found {
+        let found = (self.violation)(subject, &case.world(lighting))?;
+        let finding = Finding {
+            value: found.value,
+            bound,
+            cases,
+            note: format!("{cause}; worst at point {}", found.point),
+            counterexample: None,
+        };
+        Ok(Finding {
+            counterexample: (!finding.holds()).then(|| case.clone()),
+            ..finding
+        })
+    }
+
+    fn slack(&self, subject: &Subject<'_>, lighting: Lighting) -> f64 {
+        let facts = super::case::facts(lighting);
+        let rounding = subject.rounding(&facts);
+        match self.slack {
+            Slack::Rounding => rounding,
+            Slack::Edges => rounding + subject.edge_texels(&facts),
+        }
+    }
+}
+
+/// Worlds from the subject's seed, the same for every property, method and backend.
+fn runner(subject: &Subject<'_>, shrinking: u32) -> TestRunner {
+    let config = Config {
+        cases: subject.cases,
+        max_shrink_iters: shrinking,
+        max_local_rejects: 1,
+        max_global_rejects: 1,
+        failure_persistence: None,
+        ..Config::default()
+    };
+    let mut seed = [0; 32];
+    seed[..8].copy_from_slice(&subject.seed.to_le_bytes());
+    TestRunner::new_with_rng(config, TestRng::from_seed(RngAlgorithm::ChaCha, &seed))
+}

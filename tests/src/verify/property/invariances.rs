@@ -1,0 +1,136 @@
+//! What must not change an estimate.
+
+use super::{Property, Slack, Worst};
+use crate::verify::{Lighting, Placement, Subject, VerifyError, World};
+use glam::{Mat3, Vec3};
+use interreflect_estimators::Claim;
+
+pub(super) fn all() -> [Property; 5] {
+    [
+        Property {
+            name: "scale_invariant",
+            about: "the same in a scene of another size",
+            bound: |claim| matches!(claim, Claim::ScaleInvariant).then_some((0.0, "")),
+            tried: 0.0,
+            slack: Slack::Edges,
+            out_of_place: |_, _| None,
+            violation: scale_invariant,
+        },
+        Property {
+            name: "translation_invariant",
+            about: "the same in a scene somewhere else",
+            bound: |claim| matches!(claim, Claim::TranslationInvariant).then_some((0.0, "")),
+            tried: 0.0,
+            slack: Slack::Edges,
+            out_of_place: |_, _| None,
+            violation: translation_invariant,
+        },
+        Property {
+            name: "cube_symmetric",
+            about: "the same in a scene that is mirrored, or whose axes are swapped",
+            bound: |claim| matches!(claim, Claim::CubeSymmetric).then_some((0.0, "")),
+            tried: 0.0,
+            slack: Slack::Edges,
+            out_of_place: |_, _| None,
+            violation: cube_symmetric,
+        },
+        Property {
+            name: "position_invariant",
+            about: "the same everywhere for one normal, viewer and material",
+            bound: |claim| matches!(claim, Claim::PositionInvariant).then_some((0.0, "")),
+            tried: 0.0,
+            slack: Slack::Rounding,
+            out_of_place: |_, _| None,
+            violation: position_invariant,
+        },
+        Property {
+            name: "distance_free",
+            about: "at the reference point the same however far away things are",
+            bound: |claim| matches!(claim, Claim::DistanceFree).then_some((0.0, "")),
+            tried: 0.0,
+            slack: Slack::Edges,
+            out_of_place: |lighting, quantity| match (lighting, quantity) {
+                (Lighting::Walls, _) => None,
+                _ => Some(
+                    "its light comes from elsewhere than what is seen from the reference point",
+                ),
+            },
+            violation: distance_free,
+        },
+    ]
+}
+
+fn placed(
+    subject: &Subject<'_>,
+    world: &World,
+    placements: &[Placement],
+) -> Result<Worst, VerifyError> {
+    let first = subject.estimate(world)?;
+    let mut worst = Worst::default();
+    for &placement in placements {
+        let there = subject.estimate(&World {
+            placement,
+            ..world.clone()
+        })?;
+        worst = worst.or(Worst::apart(
+            &first,
+            &there,
+            world.greatest(subject.quantity),
+        ));
+    }
+    Ok(worst)
+}
+
+fn scale_invariant(subject: &Subject<'_>, world: &World) -> Result<Worst, VerifyError> {
+    let scaled = |k: f32| Placement {
+        linear: Mat3::from_diagonal(Vec3::splat(k)),
+        shift: Vec3::ZERO,
+    };
+    placed(subject, world, &[scaled(0.037), scaled(29.0)])
+}
+
+fn translation_invariant(subject: &Subject<'_>, world: &World) -> Result<Worst, VerifyError> {
+    let shifted = Placement {
+        linear: Mat3::IDENTITY,
+        shift: Vec3::new(3.1, -2.3, 1.7),
+    };
+    placed(subject, world, &[shifted])
+}
+
+/// A mirror and a swap of axes: together they make all 48 symmetries.
+fn cube_symmetric(subject: &Subject<'_>, world: &World) -> Result<Worst, VerifyError> {
+    let mirrored = Mat3::from_diagonal(Vec3::new(-1.0, 1.0, 1.0));
+    let swapped = Mat3::from_cols(Vec3::Y, Vec3::X, Vec3::Z);
+    let turned = Mat3::from_cols(Vec3::Y, Vec3::Z, Vec3::X);
+    let placements = [mirrored, swapped, turned].map(|linear| Placement {
+        linear,
+        shift: Vec3::ZERO,
+    });
+    placed(subject, world, &placements)
+}
+
+/// All points moved to the place of the first.
+fn position_invariant(subject: &Subject<'_>, world: &World) -> Result<Worst, VerifyError> {
+    let mut together = world.clone();
+    let place = together.points[0].position + Vec3::new(0.11, -0.07, 0.05);
+    together.points.iter_mut().for_each(|p| p.position = place);
+    let lists = [world, &together].map(|w| w.placed_points(subject.quantity));
+    let estimates = subject.estimates(&world.scene(), &lists)?;
+    let greatest = world.greatest(subject.quantity);
+    Ok(Worst::apart(&estimates[0], &estimates[1], greatest))
+}
+
+/// Points at the reference point of a box, and of one whose walls stand at other distances along the
+/// same rays.
+fn distance_free(subject: &Subject<'_>, world: &World) -> Result<Worst, VerifyError> {
+    let mut near = world.clone();
+    for point in &mut near.points {
+        point.position = world.reference;
+    }
+    let far = World {
+        reach: [1.0, 2.5, 0.6, 3.0, 1.4, 0.8],
+        ..near.clone()
+    };
+    let (near, far) = (subject.estimate(&near)?, subject.estimate(&far)?);
+    Ok(Worst::apart(&near, &far, world.greatest(subject.quantity)))
+}

@@ -1,0 +1,136 @@
+//! What more, less or other light must do.
+
+use super::{Property, Slack, Worst, apart};
+use crate::verify::{Lighting, Subject, VerifyError, World};
+use glam::Vec3;
+use interreflect_estimators::{Claim, Quantity};
+use interreflect_scene::conventions::cube_frame;
+
+pub(super) fn all() -> [Property; 5] {
+    [
+        Property {
+            name: "non_negative",
+            about: "no estimate is below zero where no radiance is",
+            bound: |claim| matches!(claim, Claim::NonNegative).then_some((0.0, "")),
+            tried: 0.0,
+            slack: Slack::Rounding,
+            out_of_place: |_, _| None,
+            violation: non_negative,
+        },
+        Property {
+            name: "bounded",
+            about: "no estimate is above what surroundings of the greatest radiance give",
+            bound: |claim| match *claim {
+                Claim::Bounded { by, cause } => Some((by, cause)),
+                _ => None,
+            },
+            tried: 1.0,
+            slack: Slack::Rounding,
+            out_of_place: |_, _| None,
+            violation: bounded,
+        },
+        Property {
+            name: "linear",
+            about: "a sum of light gives the sum of the estimates",
+            bound: |claim| matches!(claim, Claim::Linear).then_some((0.0, "")),
+            tried: 0.0,
+            slack: Slack::Rounding,
+            out_of_place: |_, quantity| no_light(quantity),
+            violation: linear,
+        },
+        Property {
+            name: "dark_from_behind",
+            about: "light from behind the surface counts nothing",
+            bound: |claim| matches!(claim, Claim::DarkFromBehind).then_some((0.0, "")),
+            tried: 0.0,
+            slack: Slack::Edges,
+            out_of_place: |lighting, quantity| match lighting {
+                Lighting::Sky => Some("a sky is never behind only"),
+                _ => no_light(quantity),
+            },
+            violation: dark_from_behind,
+        },
+        Property {
+            name: "monotone_in_occluders",
+            about: "no estimate rises where an occluder is added",
+            bound: |claim| matches!(claim, Claim::MonotoneInOccluders).then_some((0.0, "")),
+            tried: 0.0,
+            slack: Slack::Rounding,
+            out_of_place: |lighting, _| match lighting {
+                Lighting::Sky => None,
+                _ => Some("its model takes light from the walls, not past them"),
+            },
+            violation: monotone_in_occluders,
+        },
+    ]
+}
+
+fn no_light(quantity: Quantity) -> Option<&'static str> {
+    (quantity == Quantity::AmbientOcclusion).then_some("openness knows no light")
+}
+
+fn non_negative(subject: &Subject<'_>, world: &World) -> Result<Worst, VerifyError> {
+    let estimate = subject.estimate(world)?;
+    let below = estimate.iter().map(|v| f64::from(-v.min_element()));
+    Ok(Worst::of(below, world.greatest(subject.quantity)))
+}
+
+fn bounded(subject: &Subject<'_>, world: &World) -> Result<Worst, VerifyError> {
+    let estimate = subject.estimate(world)?;
+    let values = estimate.iter().map(|v| f64::from(v.max_element()));
+    Ok(Worst::of(values, world.greatest(subject.quantity)))
+}
+
+/// Half of one light and half of another, against the mean of their estimates.
+fn linear(subject: &Subject<'_>, world: &World) -> Result<Worst, VerifyError> {
+    let mut other = world.clone();
+    match world.lighting {
+        Lighting::Sky => other.sky = Vec3::new(-world.sky.y, world.sky.z, 0.5 * world.sky.x),
+        _ => other.walls.rotate_left(1),
+    }
+    let mut both = world.clone();
+    both.sky = 0.5 * (world.sky + other.sky);
+    if world.lighting != Lighting::Sky {
+        let pairs = world.walls.iter().zip(other.walls);
+        let mut pairs = pairs.map(|(a, b)| 0.5 * (*a + b));
+        both.walls = std::array::from_fn(|_| pairs.next().unwrap_or_default());
+    }
+    let [first, second, sum] = [world, &other, &both].map(|w| subject.estimate(w));
+    let (first, second, sum) = (first?, second?, sum?);
+    let parts = first.iter().zip(second.iter());
+    let residual = parts.zip(sum.iter());
+    let residual = residual.map(|((a, b), sum)| apart(0.5 * (a + b), sum));
+    let greatest = [world, &other].map(|w| w.greatest(subject.quantity));
+    Ok(Worst::of(residual, greatest[0].max(greatest[1])))
+}
+
+/// Each wall alone, seen by points that face away from it.
+fn dark_from_behind(subject: &Subject<'_>, world: &World) -> Result<Worst, VerifyError> {
+    let mut worst = Worst::default();
+    for face in 0..world.walls.len() {
+        let mut alone = world.clone();
+        for (i, wall) in alone.walls.iter_mut().enumerate() {
+            *wall = Vec3::splat(f32::from(u8::from(i == face)));
+        }
+        let (axis, beside, _) = cube_frame(face);
+        for point in &mut alone.points {
+            point.normal = -axis.as_vec3();
+            point.view = (point.normal + 0.3 * beside.as_vec3()).normalize();
+        }
+        worst = worst.or(bounded(subject, &alone)?);
+    }
+    Ok(worst)
+}
+
+/// Each wall of half size, then of its own.
+fn monotone_in_occluders(subject: &Subject<'_>, world: &World) -> Result<Worst, VerifyError> {
+    let mut fewer = world.clone();
+    for (i, wall) in fewer.walls.iter_mut().enumerate() {
+        // Those that stay keep the occluders' bounds.
+        *wall *= f32::from(u8::from(i % 2 == 0));
+    }
+    let (fewer, all) = (subject.estimate(&fewer)?, subject.estimate(world)?);
+    let risen = fewer.iter().zip(all.iter());
+    let risen = risen.map(|(fewer, all)| f64::from((all - fewer).max_element()));
+    Ok(Worst::of(risen, world.greatest(subject.quantity)))
+}

@@ -1,0 +1,117 @@
+//! What every estimator must keep to, whatever it computes.
+
+mod captures;
+mod points;
+
+use super::answers::{orientations, within};
+use super::case::Case;
+use super::world::{Lighting, World};
+use super::{Asked, Checked, Finding, Found, Nothing, Subject, judged};
+use glam::{DVec3, Vec3};
+use interreflect_scene::{Points, Scene};
+
+/// A rule: how often it was broken in so many cases, and where first.
+pub(super) struct Rule {
+    pub(super) name: &'static str,
+    pub(super) about: &'static str,
+    broken: Where,
+}
+
+/// Where a rule can be tried.
+enum Where {
+    /// In any scene, at any points.
+    Scene(fn(&Subject<'_>, &Scene, &Points) -> Outcome),
+    /// In a world that the rule changes.
+    World(fn(&Subject<'_>, World) -> Outcome),
+}
+
+/// How often a rule was broken.
+#[derive(Default)]
+struct Broken {
+    cases: usize,
+    count: usize,
+    first: String,
+}
+
+impl Broken {
+    /// Looks at one more case.
+    fn case(&mut self, holds: bool, what: impl FnOnce() -> String) {
+        self.cases += 1;
+        if !holds {
+            self.count += 1;
+            if self.count == 1 {
+                self.first = what();
+            }
+        }
+    }
+}
+
+/// All rules.
+pub(super) fn all() -> Vec<Rule> {
+    captures::all().into_iter().chain(points::all()).collect()
+}
+
+impl Rule {
+    pub(super) fn run(&self, subject: &Subject<'_>) -> Found {
+        let world = world(subject);
+        match self.broken {
+            Where::Scene(_) => {
+                let points = world.placed_points(subject.quantity);
+                self.in_scene(subject, &world.scene(), &points)
+            }
+            Where::World(broken) => finding(broken(subject, world)?),
+        }
+    }
+
+    fn in_scene(&self, subject: &Subject<'_>, scene: &Scene, points: &Points) -> Found {
+        match self.broken {
+            Where::Scene(broken) => finding(broken(subject, scene, points)?),
+            Where::World(_) => Err(Nothing::NotApplicable("it needs a world to change".into())),
+        }
+    }
+}
+
+/// The rules that can be tried in any scene, tried there: each one's name and what it came to.
+pub fn rules_in<'a>(
+    subject: &'a Subject<'a>,
+    scene: &'a Scene,
+    points: &'a Points,
+) -> impl Iterator<Item = (&'static str, Checked)> + 'a {
+    let anywhere = all().into_iter();
+    let anywhere = anywhere.filter(|rule| matches!(rule.broken, Where::Scene(_)));
+    anywhere.map(|rule| {
+        let found = rule.in_scene(subject, scene, points);
+        (rule.name, judged(&Asked::Claimed, found))
+    })
+}
+
+fn finding(broken: Broken) -> Found {
+    Ok(Finding {
+        value: broken.count as f64,
+        bound: 0.0,
+        cases: broken.cases,
+        note: broken.first,
+        counterexample: None,
+    })
+}
+
+/// A world of unequal walls, with more points than a block of 64, and not a multiple of sixteen.
+fn world(subject: &Subject<'_>) -> World {
+    const POINTS: usize = 203;
+    let place = |(i, n): (usize, DVec3)| [within(i), n.as_vec3().to_array()];
+    let case = Case {
+        half: [1.2, 0.9, 1.0],
+        walls: [0.9, 0.3, 0.6, 0.75, 0.4, 0.5],
+        sky: [0.3, -0.4, 0.2],
+        reference: [0.17, -0.12, 0.26],
+        lamp: [0.21, 0.33, -0.14],
+        points: orientations(POINTS).enumerate().map(place).collect(),
+    };
+    case.world(Lighting::of(subject.model(), subject.quantity))
+}
+
+fn same_bits(a: Vec3, b: Vec3) -> bool {
+    a.to_array().map(f32::to_bits) == b.to_array().map(f32::to_bits)
+}
+
+type Outcome = Result<Broken, Nothing>;

@@ -1,0 +1,179 @@
+//! What points and channels have to do with each other: nothing.
+
+use super::{Broken, Outcome, Rule, Where, same_bits};
+use crate::verify::{Lighting, Nothing, Rig, Subject, World};
+use glam::Vec3;
+use interreflect_cpu::tiles::{CpuCx, InstructionSet};
+use interreflect_estimators::Quantity;
+use interreflect_scene::params::Choice;
+use interreflect_scene::{Estimate, Point, Points, Scene};
+
+pub(super) fn all() -> [Rule; 6] {
+    let in_scene = |name, about, broken| Rule {
+        name,
+        about,
+        broken: Where::Scene(broken),
+    };
+    let in_world = |name, about, broken| Rule {
+        name,
+        about,
+        broken: Where::World(broken),
+    };
+    [
+        in_scene(
+            "point_order",
+            "reversed points get reversed estimates, bit by bit",
+            point_order,
+        ),
+        in_scene(
+            "points_alone",
+            "fewer points get the same estimates, bit by bit",
+            points_alone,
+        ),
+        in_scene(
+            "no_surface",
+            "points without a surface get nothing",
+            no_surface,
+        ),
+        in_scene(
+            "threads_and_instructions",
+            "the same bits on any number of threads and any instruction set",
+            threads_and_instructions,
+        ),
+        in_world(
+            "channels",
+            "what one colour sends does not change another's estimate",
+            channels,
+        ),
+        in_world("dark", "where nothing sends light there is none", dark),
+    ]
+}
+
+fn compare(broken: &mut Broken, a: &Estimate, b: impl Iterator<Item = Vec3>, what: &str) {
+    for (i, (a, b)) in a.iter().zip(b).enumerate() {
+        broken.case(same_bits(a, b), || {
+            format!("{what}: point {i} has {a} and {b}")
+        });
+    }
+}
+
+fn point_order(subject: &Subject<'_>, scene: &Scene, points: &Points) -> Outcome {
+    let needs = subject.method.needs(subject.quantity, &scene.facts())?;
+    if needs.light_transport {
+        let why = "samples of light transport are drawn by a point's place in the list";
+        return Err(Nothing::NotApplicable(why.into()));
+    }
+    let mut reversed: Vec<Option<Point>> = points.iter().collect();
+    reversed.reverse();
+    let lists = [points.clone(), Points::new(points.layout(), reversed)];
+    let estimates = subject.estimates(scene, &lists)?;
+    let mut backward: Vec<Vec3> = estimates[1].iter().collect();
+    backward.reverse();
+    let mut broken = Broken::default();
+    compare(&mut broken, &estimates[0], backward.into_iter(), "reversed");
+    Ok(broken)
+}
+
+/// Shorter lists, which end within a group of lanes, at its end and behind it.
+fn points_alone(subject: &Subject<'_>, scene: &Scene, points: &Points) -> Outcome {
+    let counts = [points.len(), 1, 17, 63, 64, 65, 129];
+    let first = |count| Points::new(points.layout(), points.iter().take(count));
+    let lists = counts.map(first);
+    let estimates = subject.estimates(scene, &lists)?;
+    let mut broken = Broken::default();
+    for fewer in &estimates[1..] {
+        let what = format!("{} points", fewer.len());
+        compare(&mut broken, &estimates[0], fewer.iter(), &what);
+    }
+    Ok(broken)
+}
+
+fn no_surface(subject: &Subject<'_>, scene: &Scene, points: &Points) -> Outcome {
+    let some = points.iter().enumerate();
+    let some = some.map(|(i, p)| p.filter(|_| i % 7 != 3));
+    let holed = Points::new(points.layout(), some);
+    let estimates = subject.estimates(scene, &[holed])?;
+    let mut broken = Broken::default();
+    for (i, value) in estimates[0].iter().enumerate() {
+        let holds = i % 7 != 3 || value == Vec3::ZERO;
+        broken.case(holds, || {
+            format!("point {i} has no surface and gets {value}")
+        });
+    }
+    Ok(broken)
+}
+
+fn threads_and_instructions(subject: &Subject<'_>, scene: &Scene, points: &Points) -> Outcome {
+    if matches!(subject.rig, Rig::Gpu(..)) {
+        return Err(Nothing::NotApplicable("a device has neither".into()));
+    }
+    let lists = std::slice::from_ref(points);
+    let first = subject.estimates(scene, lists)?;
+    let mut broken = Broken::default();
+    for (name, set) in InstructionSet::ALL.iter().filter(|(_, s)| s.available()) {
+        for threads in [1, 2] {
+            let cx = CpuCx::new(Some(threads), Some(*set));
+            let cx = cx.map_err(|e| Nothing::NotApplicable(e.to_string()))?;
+            let of = Subject {
+                rig: Rig::Cpu(&cx),
+                case: None,
+                ..*subject
+            };
+            let again = of.estimates(scene, lists)?;
+            let what = format!("{threads} threads, {name}");
+            compare(&mut broken, &first[0], again[0].iter(), &what);
+        }
+    }
+    Ok(broken)
+}
+
+/// Walls of three colours against three runs with grey ones.
+fn channels(subject: &Subject<'_>, mut world: World) -> Outcome {
+    if world.lighting == Lighting::Sky {
+        return Err(Nothing::NotApplicable("its walls have no colour".into()));
+    }
+    let grey = world.walls.map(|w| w.x);
+    let colours = [0, 1, 2].map(|c| {
+        let mut walls = grey;
+        walls.rotate_left(c);
+        walls
+    });
+    let alone = colours.map(|walls| {
+        subject.estimate(&World {
+            walls: walls.map(Vec3::splat),
+            ..world.clone()
+        })
+    });
+    let [r, g, b] = alone;
+    let (r, g, b) = (r?, g?, b?);
+    let wall = |i: usize| Vec3::from(colours.map(|walls| walls[i]));
+    world.walls = std::array::from_fn(wall);
+    let coloured = subject.estimate(&world)?;
+    let mut broken = Broken::default();
+    for (i, value) in coloured.iter().enumerate() {
+        let grey = Vec3::new(r.get(i).x, g.get(i).y, b.get(i).z);
+        // Sampling may follow the brightest channel: the same up to rounding, not bit by bit.
+        let near = (value - grey).abs().max_element() <= 1e-5 * value.max_element().max(1e-3);
+        broken.case(near, || format!("point {i} has {value}, alone {grey}"));
+    }
+    Ok(broken)
+}
+
+fn dark(subject: &Subject<'_>, world: World) -> Outcome {
+    if subject.quantity == Quantity::AmbientOcclusion {
+        return Err(Nothing::NotApplicable("openness knows no light".into()));
+    }
+    let mut scene = world.scene();
+    for material in &mut scene.materials {
+        (material.emission, material.albedo) = (Vec3::ZERO, Vec3::ZERO);
+    }
+    if let Some(environment) = &mut scene.environment {
+        environment.scale = 0.0;
+    }
+    let estimates = subject.estimates(&scene, &[world.placed_points(subject.quantity)])?;
+    let mut broken = Broken::default();
+    for (i, value) in estimates[0].iter().enumerate() {
+        broken.case(value == Vec3::ZERO, || format!("point {i} gets {value}"));
+    }
+    Ok(broken)
+}

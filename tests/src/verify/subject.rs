@@ -1,0 +1,83 @@
+//! An estimator that is checked: one method with its parameters, one quantity, one backend.
+
+use super::{Case, Rig, VerifyError, World};
+use interreflect_estimators::{Claim, Configured, OwnModel, Quantity};
+use interreflect_scene::{Estimate, Points, Scene, SceneFacts};
+use std::f64::consts::PI;
+
+/// What is checked, and how hard.
+pub struct Subject<'a> {
+    /// The backend.
+    pub rig: Rig<'a>,
+    /// The method.
+    pub method: &'a dyn Configured,
+    /// What it estimates.
+    pub quantity: Quantity,
+    /// Random worlds that each claim is tried in.
+    pub cases: u32,
+    /// Seed of the random worlds.
+    pub seed: u64,
+    /// One world instead of random ones.
+    pub case: Option<Case>,
+}
+
+impl Subject<'_> {
+    /// What the method claims.
+    pub fn claims(&self) -> Vec<Claim> {
+        self.method.claims(self.quantity)
+    }
+
+    /// What it says that it computes.
+    pub fn model(&self) -> OwnModel {
+        self.method.model(self.quantity)
+    }
+
+    /// Its estimate in a world.
+    ///
+    /// # Errors
+    /// [`VerifyError`] as [`Rig::estimate`].
+    pub fn estimate(&self, world: &World) -> Result<Estimate, VerifyError> {
+        let points = world.placed_points(self.quantity);
+        self.rig
+            .estimate(&world.scene(), self.method, self.quantity, &points)
+    }
+
+    /// Its estimates at several lists of points of a scene.
+    ///
+    /// # Errors
+    /// [`VerifyError`] as [`Rig::estimate`].
+    pub fn estimates(&self, scene: &Scene, lists: &[Points]) -> Result<Vec<Estimate>, VerifyError> {
+        self.rig.estimates(scene, self.method, self.quantity, lists)
+    }
+
+    /// What rounding to float32 makes of a sum over all captured texels, relative to the largest
+    /// value: rounding errors add up like a random walk, four times that for the worst of many; and
+    /// the stated error of the power of a lobe.
+    pub fn rounding(&self, facts: &SceneFacts) -> f64 {
+        let walk = self.texels(facts).sqrt() * 4.0 * f64::from(f32::EPSILON) / 2.0;
+        1e-5 + walk
+    }
+
+    /// Share of all light that eight captured texels hold: those on the edges of surfaces, which the
+    /// rounding of a ray or of a rasteriser gives to either side.
+    pub fn edge_texels(&self, facts: &SceneFacts) -> f64 {
+        match self.method.needs(self.quantity, facts) {
+            Ok(needs) => {
+                let coarsest = needs.cubes.iter().map(|c| c.size).min();
+                let texel_sr = coarsest.map(|size| 4.0 * PI / (6.0 * f64::from(size).powi(2)));
+                texel_sr.map_or(0.0, |sr| 8.0 * sr / PI)
+            }
+            Err(_) => 0.0,
+        }
+    }
+
+    fn texels(&self, facts: &SceneFacts) -> f64 {
+        let Ok(needs) = self.method.needs(self.quantity, facts) else {
+            return 0.0;
+        };
+        let cubes = needs.cubes.iter().map(|c| 6.0 * f64::from(c.size).powi(2));
+        let views = needs.light_views.iter();
+        let views = views.map(|v| 6.0 * f64::from(facts.lights) * f64::from(v.size).powi(2));
+        cubes.chain(views).sum()
+    }
+}
