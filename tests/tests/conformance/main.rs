@@ -9,6 +9,7 @@ mod costs;
 mod environment_maps;
 mod errata;
 mod form_factors;
+mod frames;
 mod moved;
 mod needs;
 mod openness;
@@ -37,6 +38,7 @@ fn main() {
         costs::trials(),
         parity::trials(),
         moved::trials(),
+        frames::trials(),
         bounces::trials(),
         errata::trials(),
         form_factors::trials(),
