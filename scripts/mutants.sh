@@ -6,8 +6,8 @@
 #
 # Bugs are planted in a copy of the working tree's tracked files, a git worktree that is removed at
 # the end; what was built for it is kept for the next run. Ends with 1 if more than one bug survives,
-# and with 2 if one can't be tried: its patch does not apply, it does not compile, its command fails
-# or runs no test without it.
+# and with 2 if one can't be tried: its patch does not apply, it does not compile, its tests do not end,
+# or its command fails or runs no test without it.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 patches=$root/tests/mutants
@@ -66,6 +66,8 @@ try() {
         failed=$(sed -n 's/^test \(.*[^ ]\) *\.\.\. FAILED.*/`\1`/p' "$2")
         if [ "$status" -eq 124 ]; then
             outcome="ERROR: the tests do not end within $limit s"
+        elif grep -q 'the shader `.*` is not valid' "$2"; then
+            outcome="ERROR: its shader does not compile"
         elif [ -n "$failed" ]; then
             outcome="caught by $(summary "$failed")"
         elif [ "$status" -ne 0 ]; then
@@ -136,7 +138,7 @@ table() {
     echo "# Planted bugs"
     echo
     echo "Written by \`make mutants\` on $(date -u +%F) for commit $commit: $(wc -l <"$work/rows") bugs,"
-    echo "$survivors survived, $(((SECONDS + 59) / 60)) minutes on $(getconf _NPROCESSORS_ONLN) processors."
+    echo "$survivors survived, $errors could not be tried, $(((SECONDS + 59) / 60)) minutes on $(getconf _NPROCESSORS_ONLN) processors."
     echo
     echo "| planted bug | where | caught by | s |"
     echo "|---|---|---|---|"
@@ -160,9 +162,9 @@ check_unchanged "${chosen[@]}"
 for patch in "${chosen[@]}"; do plant "$patch"; done
 
 echo "mutants: ${#chosen[@]} bugs, $survivors survived, $errors not tried, $SECONDS s" >&2
-[ "$errors" -eq 0 ] || fail "see $work/logs"
 if [ "$#" -eq 0 ]; then
     table >"$patches/RESULTS.md.partial"
     mv "$patches/RESULTS.md.partial" "$patches/RESULTS.md"
 fi
+[ "$errors" -eq 0 ] || fail "see $work/logs"
 [ "$survivors" -le 1 ]
