@@ -1,27 +1,39 @@
 //! One formula over one `f64`, one `f32` or sixteen `f32`s.
 //!
-//! The leaf functions of the estimators are generic over [`Lane`]: the float64 oracle, the scalar
-//! twin and the fast kernel are then the same source. No operation is fused and `f32` runs the
+//! The leaf functions and the kernels of the estimators are generic over [`Lane`]: the float64
+//! oracle, the scalar twin and the fast kernel are then the same source. No operation is fused and `f32` runs the
 //! same polynomials alone and in sixteen lanes, so a result has the same bits for any width and
 //! any instruction set.
 
+mod one;
 mod polynomials;
+mod vector;
 mod wide;
 
-use polynomials::{angle, exp2, log2};
+pub use vector::Vector;
 pub use wide::{WIDTH, Wide};
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A number, or several side by side.
+/// A number, or several side by side; `from` an `f32` is that number, exactly, in every lane.
 pub trait Lane:
     Copy
+    + From<f32>
     + Add<Output = Self>
     + Sub<Output = Self>
     + Mul<Output = Self>
     + Div<Output = Self>
     + Neg<Output = Self>
 {
+    /// One of the numbers.
+    type Scalar: Scalar;
+    /// How many there are.
+    const WIDTH: usize;
+
+    /// The numbers, for what is done to each by itself: looking up a table.
+    fn lanes(&self) -> &[Self::Scalar];
+    /// The numbers, to be set.
+    fn lanes_mut(&mut self) -> &mut [Self::Scalar];
     /// The same constant in every lane, rounded once to the lane's precision.
     fn splat(value: f64) -> Self;
     /// Square root.
@@ -39,145 +51,40 @@ pub trait Lane:
     /// The angle in [0, π] whose sine and cosine are in the ratio `self` : `cos`, for `self` ≥ 0:
     /// atan2. 0 where both are 0. Relative error in `f32` below 3e-7.
     fn angle(self, cos: Self) -> Self;
-}
+    /// Base-2 logarithm of a positive number.
+    fn log2(self) -> Self;
 
-/// Three lanes as a vector.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Vector<L> {
-    /// First component.
-    pub x: L,
-    /// Second component.
-    pub y: L,
-    /// Third component.
-    pub z: L,
-}
-
-impl<L: Lane> Vector<L> {
-    /// A vector from its components.
+    /// What a function of a lane's number in the row gives for each.
     #[inline(always)]
-    pub fn new(x: L, y: L, z: L) -> Self {
-        Self { x, y, z }
-    }
-
-    /// The same vector in every lane.
-    #[inline(always)]
-    pub fn splat(v: [f32; 3]) -> Self {
-        let [x, y, z] = v.map(|c| L::splat(f64::from(c)));
-        Self { x, y, z }
-    }
-
-    /// Scalar product.
-    #[inline(always)]
-    pub fn dot(self, o: Self) -> L {
-        self.x * o.x + self.y * o.y + self.z * o.z
-    }
-
-    /// Vector product.
-    #[inline(always)]
-    pub fn cross(self, o: Self) -> Self {
-        Self {
-            x: self.y * o.z - self.z * o.y,
-            y: self.z * o.x - self.x * o.z,
-            z: self.x * o.y - self.y * o.x,
+    fn by_lane(of: impl Fn(usize) -> Self::Scalar) -> Self {
+        let mut all = Self::from(0.0);
+        for (i, lane) in all.lanes_mut().iter_mut().enumerate() {
+            *lane = of(i);
         }
+        all
     }
 
-    /// The vector times a number.
+    /// The largest of the numbers.
     #[inline(always)]
-    pub fn scale(self, k: L) -> Self {
-        Self {
-            x: self.x * k,
-            y: self.y * k,
-            z: self.z * k,
+    fn largest(self) -> Self::Scalar {
+        // Halves against halves: a chain would wait for each link.
+        let mut all = self;
+        let lanes = all.lanes_mut();
+        let mut half = Self::WIDTH / 2;
+        while half > 0 {
+            for i in 0..half {
+                lanes[i] = lanes[i].max(lanes[i + half]);
+            }
+            half /= 2;
         }
+        lanes[0]
     }
 }
 
-impl<L: Lane> Add for Vector<L> {
-    type Output = Self;
-    #[inline(always)]
-    fn add(self, o: Self) -> Self {
-        Self::new(self.x + o.x, self.y + o.y, self.z + o.z)
-    }
-}
-
-impl<L: Lane> Sub for Vector<L> {
-    type Output = Self;
-    #[inline(always)]
-    fn sub(self, o: Self) -> Self {
-        Self::new(self.x - o.x, self.y - o.y, self.z - o.z)
-    }
-}
-
-impl<L: Lane> Neg for Vector<L> {
-    type Output = Self;
-    #[inline(always)]
-    fn neg(self) -> Self {
-        Self::new(-self.x, -self.y, -self.z)
-    }
-}
-
-impl Lane for f64 {
-    #[inline(always)]
-    fn splat(value: f64) -> Self {
-        value
-    }
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        f64::sqrt(self)
-    }
-    #[inline(always)]
-    fn max(self, other: Self) -> Self {
-        if self > other { self } else { other }
-    }
-    #[inline(always)]
-    fn min(self, other: Self) -> Self {
-        if self < other { self } else { other }
-    }
-    #[inline(always)]
-    fn select_gt(self, than: Self, yes: Self, no: Self) -> Self {
-        if self > than { yes } else { no }
-    }
-    #[inline(always)]
-    fn lobe_power(self, exponent: Self) -> Self {
-        if self > 0.0 { self.powf(exponent) } else { 0.0 }
-    }
-    #[inline(always)]
-    fn angle(self, cos: Self) -> Self {
-        self.atan2(cos)
-    }
-}
-
-impl Lane for f32 {
-    #[inline(always)]
-    fn splat(value: f64) -> Self {
-        value as f32
-    }
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        f32::sqrt(self)
-    }
-    #[inline(always)]
-    fn max(self, other: Self) -> Self {
-        if self > other { self } else { other }
-    }
-    #[inline(always)]
-    fn min(self, other: Self) -> Self {
-        if self < other { self } else { other }
-    }
-    #[inline(always)]
-    fn select_gt(self, than: Self, yes: Self, no: Self) -> Self {
-        if self > than { yes } else { no }
-    }
-    #[inline(always)]
-    fn lobe_power(self, exponent: Self) -> Self {
-        let power = exp2(exponent * log2(self));
-        if self > 0.0 { power } else { 0.0 }
-    }
-    #[inline(always)]
-    fn angle(self, cos: Self) -> Self {
-        angle(self, cos)
-    }
+/// One number.
+pub trait Scalar: Lane<Scalar = Self> + Into<f64> + PartialOrd {
+    /// The whole part of a number ≥ 0: a place in a table.
+    fn whole(self) -> usize;
 }
 
 #[cfg(test)]
@@ -225,11 +132,23 @@ mod tests {
     fn sixteen_lanes_have_the_bits_of_one() {
         let a = Wide(std::array::from_fn(|i| 0.05 * i as f32 - 0.1));
         let b = Wide(std::array::from_fn(|i| 1.0 + i as f32));
-        let wide = a.lobe_power(b).sqrt() * b - a / b + (a * a).angle(a);
+        let wide = a.lobe_power(b).sqrt() * b - a / b + (a * a).angle(a) + b.log2();
         for i in 0..WIDTH {
             let (a, b) = (a.0[i], b.0[i]);
-            let one = Lane::sqrt(a.lobe_power(b)) * b - a / b + (a * a).angle(a);
+            let one = Lane::sqrt(a.lobe_power(b)) * b - a / b + (a * a).angle(a) + Lane::log2(b);
             assert_eq!(wide.0[i].to_bits(), one.to_bits(), "lane {i}");
         }
+    }
+    #[test]
+    fn lanes_are_reached_one_by_one() {
+        let all = Wide::by_lane(|i| (i as f32 - 9.0).powi(2));
+        assert_eq!((all.lanes()[0], all.lanes()[WIDTH - 1]), (81.0, 36.0));
+        for peak in 0..WIDTH {
+            let all = Wide::by_lane(|i| if i == peak { 3.0 } else { -(i as f32) });
+            assert_eq!(all.largest(), 3.0, "lane {peak}");
+        }
+        assert_eq!((-2.5_f64).largest(), -2.5);
+        let v = Vector::<Wide>::by_lane(|i| Vector::splat([i as f32, 1.0, 2.0]));
+        assert_eq!(v.lane(5), Vector::new(5.0, 1.0, 2.0));
     }
 }

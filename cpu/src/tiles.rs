@@ -1,91 +1,51 @@
 //! Tiles of points, threads and instruction sets: how a CPU kernel is run over a point list.
 
-use crate::lane::{Lane, Vector, WIDTH, Wide};
+mod instruction_set;
+#[cfg(test)]
+mod tests;
+
+pub use instruction_set::InstructionSet;
+
+use crate::lane::{Lane, Vector, Wide};
 use interreflect_scene::params::Choice;
 use interreflect_scene::{Estimate, LANES, PointLayout, Points};
 use rayon::prelude::*;
+use std::marker::PhantomData;
+use std::sync::Arc;
 
-/// The vector instructions that a kernel is compiled for. Results have the same bits on each.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum InstructionSet {
-    /// What every processor of the target has (SSE2 on x86-64).
-    Baseline,
-    /// AVX2 and FMA (x86-64-v3).
-    Avx2,
-    /// AVX-512 F, BW, CD, DQ, VL (x86-64-v4).
-    Avx512,
+/// The numbers that kernels compute with: one formula, three arithmetics.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Arithmetic {
+    /// Sixteen `f32`s side by side, on the context's instruction set.
+    #[default]
+    Lanes,
+    /// One `f32` at a time: the same bits.
+    Scalar,
+    /// One `f64` at a time, rounded to `f32` when the estimate is stored. The same formula on what
+    /// an estimator has prepared, which is in `f32` whatever the arithmetic: what is left of the
+    /// difference is the rounding of the formula, not that of its inputs.
+    Float64,
 }
 
-impl Choice for InstructionSet {
+impl Choice for Arithmetic {
     const ALL: &'static [(&'static str, Self)] = &[
-        ("baseline", Self::Baseline),
-        ("avx2", Self::Avx2),
-        ("avx512", Self::Avx512),
+        ("lanes", Self::Lanes),
+        ("scalar", Self::Scalar),
+        ("float64", Self::Float64),
     ];
 }
 
-impl InstructionSet {
-    /// Whether this processor has it.
-    pub fn available(self) -> bool {
-        match self {
-            Self::Baseline => true,
-            #[cfg(target_arch = "x86_64")]
-            Self::Avx2 => pulp::x86::V3::try_new().is_some(),
-            #[cfg(target_arch = "x86_64")]
-            Self::Avx512 => pulp::x86::V4::try_new().is_some(),
-            #[cfg(not(target_arch = "x86_64"))]
-            _ => false,
-        }
-    }
-
-    /// The widest one that this processor has.
-    pub fn widest() -> Self {
-        let all = [Self::Avx512, Self::Avx2];
-        all.into_iter()
-            .find(|s| s.available())
-            .unwrap_or(Self::Baseline)
-    }
-
-    /// Its name on the command line and in reports.
-    pub fn name(self) -> &'static str {
-        let found = Self::ALL.iter().find(|(_, s)| *s == self);
-        found.map_or("", |(name, _)| name)
-    }
-
-    /// Runs `op`, and all that is inlined into it, compiled for this instruction set; falls back
-    /// to the baseline where the processor lacks it.
-    fn run<Op: pulp::NullaryFnOnce>(self, op: Op) -> Op::Output {
-        #[cfg(target_arch = "x86_64")]
-        {
-            use pulp::x86::{V3, V4};
-            match self {
-                Self::Avx512 => {
-                    if let Some(simd) = V4::try_new() {
-                        return simd.vectorize(op);
-                    }
-                }
-                Self::Avx2 => {
-                    if let Some(simd) = V3::try_new() {
-                        return simd.vectorize(op);
-                    }
-                }
-                Self::Baseline => {}
-            }
-        }
-        op.call()
-    }
-}
-
-/// Sixteen neighbouring points of a block.
+/// Neighbouring points of a block, one in each lane.
 #[derive(Clone, Copy)]
-pub struct PointLanes<'a> {
+pub struct PointLanes<'a, L> {
     block: &'a [f32],
     offset: usize,
     first: usize,
+    lanes: PhantomData<L>,
 }
 
-impl PointLanes<'_> {
-    /// Index in the point list of the first of the sixteen.
+impl<L: Lane> PointLanes<'_, L> {
+    /// Index in the point list of the first of them.
     #[inline(always)]
     pub fn first(&self) -> usize {
         self.first
@@ -93,16 +53,15 @@ impl PointLanes<'_> {
 
     /// One plane of the block, by the offsets of [`PointLayout`].
     #[inline(always)]
-    pub fn plane(&self, plane: usize) -> Wide {
+    pub fn plane(&self, plane: usize) -> L {
         let start = plane * LANES + self.offset;
-        let mut lanes = [0.0; WIDTH];
-        lanes.copy_from_slice(&self.block[start..start + WIDTH]);
-        Wide(lanes)
+        let values = &self.block[start..start + L::WIDTH];
+        L::by_lane(|i| values[i].into())
     }
 
     /// Three neighbouring planes, by the first one's offset.
     #[inline(always)]
-    pub fn vector(&self, plane: usize) -> Vector<Wide> {
+    pub fn vector(&self, plane: usize) -> Vector<L> {
         Vector::new(
             self.plane(plane),
             self.plane(plane + 1),
@@ -114,15 +73,17 @@ impl PointLanes<'_> {
 /// What is computed at each point; `shade` must be `#[inline(always)]`, or the instruction set
 /// that was chosen does not reach it.
 pub trait TileKernel: Sync {
-    /// The RGB values of sixteen points. Lanes without a surface may hold anything: they are
-    /// set to 0 afterwards.
-    fn shade(&self, points: &PointLanes<'_>) -> [Wide; 3];
+    /// The RGB values of as many points as there are lanes, each point's by itself. Lanes without a
+    /// surface may hold anything: they are set to 0 afterwards.
+    fn shade<L: Lane>(&self, points: &PointLanes<'_, L>) -> [L; 3];
 }
 
-/// How a CPU estimator runs: a thread pool of its own and an instruction set.
+/// How a CPU estimator runs: a thread pool of its own, an instruction set and an arithmetic.
+#[derive(Clone)]
 pub struct CpuCx {
-    pool: rayon::ThreadPool,
+    pool: Arc<rayon::ThreadPool>,
     instruction_set: InstructionSet,
+    arithmetic: Arithmetic,
 }
 
 /// Blocks that one task takes: large enough to hide the pool's cost, small enough to balance.
@@ -146,9 +107,18 @@ impl CpuCx {
             .thread_name(|i| format!("interreflect-{i}"))
             .build()?;
         Ok(Self {
-            pool,
+            pool: Arc::new(pool),
             instruction_set,
+            arithmetic: Arithmetic::default(),
         })
+    }
+
+    /// The same threads, on which kernels compute with these numbers.
+    pub fn with_arithmetic(&self, arithmetic: Arithmetic) -> Self {
+        Self {
+            arithmetic,
+            ..self.clone()
+        }
     }
 
     /// Number of threads.
@@ -182,12 +152,17 @@ impl CpuCx {
                 .par_chunks_mut(stride * BLOCKS_PER_TASK)
                 .enumerate()
                 .for_each(|(task, out)| {
-                    self.instruction_set.run(Task {
+                    let task = Task {
                         kernel,
                         points,
                         first_block: task * BLOCKS_PER_TASK,
                         out,
-                    });
+                    };
+                    match self.arithmetic {
+                        Arithmetic::Lanes => self.instruction_set.run(task),
+                        Arithmetic::Scalar => task.shade::<f32>(),
+                        Arithmetic::Float64 => task.shade::<f64>(),
+                    }
                 });
         });
     }
@@ -205,23 +180,35 @@ impl<K: TileKernel> pulp::NullaryFnOnce for Task<'_, K> {
 
     #[inline(always)]
     fn call(self) {
+        self.shade::<Wide>();
+    }
+}
+
+impl<K: TileKernel> Task<'_, K> {
+    #[inline(always)]
+    fn shade<L: Lane>(self) {
         for (i, out) in self
             .out
             .chunks_exact_mut(Estimate::PLANES * LANES)
             .enumerate()
         {
             let block = self.points.block(self.first_block + i);
-            for offset in (0..LANES).step_by(WIDTH) {
-                let lanes = PointLanes {
+            for offset in (0..LANES).step_by(L::WIDTH) {
+                let points = PointLanes {
                     block,
                     offset,
                     first: (self.first_block + i) * LANES + offset,
+                    lanes: PhantomData,
                 };
-                let mask = lanes.plane(PointLayout::MASK);
-                let zero = Wide::splat(0.0);
-                for (channel, value) in self.kernel.shade(&lanes).into_iter().enumerate() {
+                let mask: L = points.plane(PointLayout::MASK);
+                let zero = L::from(0.0);
+                for (channel, value) in self.kernel.shade(&points).into_iter().enumerate() {
                     let masked = mask.select_gt(zero, value, zero);
-                    out[channel * LANES + offset..][..WIDTH].copy_from_slice(&masked.0);
+                    let out = &mut out[channel * LANES + offset..][..L::WIDTH];
+                    for (out, &value) in out.iter_mut().zip(masked.lanes()) {
+                        let value: f64 = value.into();
+                        *out = value as f32;
+                    }
                 }
             }
         }
@@ -239,56 +226,4 @@ pub enum CpuCxError {
     /// The operating system refused the threads.
     #[error("the threads can't be started: {0}")]
     Threads(#[from] rayon::ThreadPoolBuildError),
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use glam::Vec3;
-    use interreflect_scene::Point;
-
-    struct Sum;
-    impl TileKernel for Sum {
-        #[inline(always)]
-        fn shade(&self, points: &PointLanes<'_>) -> [Wide; 3] {
-            let p = points.vector(PointLayout::POSITION);
-            let n = points.vector(PointLayout::NORMAL);
-            [p.x + n.x, p.dot(n), p.z / n.y]
-        }
-    }
-
-    #[test]
-    fn every_lane_is_shaded_once_and_masked_ones_are_zero() {
-        let point = |i: usize| {
-            (i % 7 != 2).then(|| Point {
-                position: Vec3::new(i as f32, 1.0, 2.0),
-                normal: Vec3::new(1.0, 2.0, 3.0),
-                ..Point::default()
-            })
-        };
-        for set in [
-            InstructionSet::Baseline,
-            InstructionSet::Avx2,
-            InstructionSet::Avx512,
-        ] {
-            if !set.available() {
-                println!("not run: this processor has no {}", set.name());
-                continue;
-            }
-            for threads in [1, 2] {
-                let cx = CpuCx::new(Some(threads), Some(set)).expect("a pool of threads");
-                for len in [1, 63, 64, 65, 1500] {
-                    let points = Points::new(PointLayout::Surface, (0..len).map(point));
-                    let mut out = Estimate::new(len);
-                    cx.for_each_tile(&points, &mut out, &Sum);
-                    for i in 0..len {
-                        let expected = point(i).map_or(Vec3::ZERO, |p| {
-                            Vec3::new(i as f32 + 1.0, p.position.dot(p.normal), 1.0)
-                        });
-                        assert_eq!(out.get(i), expected, "point {i} of {len}");
-                    }
-                }
-            }
-        }
-    }
 }

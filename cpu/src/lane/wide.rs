@@ -61,7 +61,25 @@ impl Neg for Wide {
     }
 }
 
+impl From<f32> for Wide {
+    #[inline(always)]
+    fn from(value: f32) -> Self {
+        Self([value; WIDTH])
+    }
+}
+
 impl Lane for Wide {
+    type Scalar = f32;
+    const WIDTH: usize = WIDTH;
+
+    #[inline(always)]
+    fn lanes(&self) -> &[f32] {
+        &self.0
+    }
+    #[inline(always)]
+    fn lanes_mut(&mut self) -> &mut [f32] {
+        &mut self.0
+    }
     #[inline(always)]
     fn splat(value: f64) -> Self {
         Self([value as f32; WIDTH])
@@ -92,5 +110,9 @@ impl Lane for Wide {
     #[inline(always)]
     fn angle(self, cos: Self) -> Self {
         self.zip(cos, |a, b| a.angle(b))
+    }
+    #[inline(always)]
+    fn log2(self) -> Self {
+        self.zip(self, |a, _| a.log2())
     }
 }

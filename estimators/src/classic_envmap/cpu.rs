@@ -5,13 +5,11 @@ use super::{ClassicEnvmap, ClassicEnvmapParams};
 use crate::convolution::cpu::{Convolved, Maps};
 use crate::lobes::lobes;
 use crate::reflection::math::mirrored;
-use crate::reflection::{at, lanes};
 use crate::{Cpu, Estimator, EstimatorError, Inputs, Quantity};
-use glam::Vec3;
-use interreflect_cpu::lane::Wide;
+use interreflect_cpu::lane::Lane;
 use interreflect_cpu::tiles::{CpuCx, PointLanes, TileKernel};
 use interreflect_scene::{Estimate, PointLayout};
-use std::f32::consts::FRAC_1_PI;
+use std::f64::consts::FRAC_1_PI;
 
 /// The convolved maps, kept across frames.
 #[derive(Default)]
@@ -54,20 +52,16 @@ struct Glossy<'a>(&'a Maps);
 
 impl TileKernel for Glossy<'_> {
     #[inline(always)]
-    fn shade(&self, points: &PointLanes<'_>) -> [Wide; 3] {
+    fn shade<L: Lane>(&self, points: &PointLanes<'_, L>) -> [L; 3] {
         let n = points.vector(PointLayout::NORMAL);
         let reflected = mirrored(n, points.vector(PointLayout::VIEW));
-        let (kd, ks) = (
-            points.vector(PointLayout::DIFFUSE),
-            points.vector(PointLayout::SPECULAR),
-        );
-        let shininess = points.plane(PointLayout::SHININESS);
-        lanes(|lane| {
-            let exponent = phong_exponent(shininess.0[lane]);
-            let lobe = self.0.lobes.iter().find(|(e, _)| *e >= exponent);
-            let specular = lobe.map_or(Vec3::ZERO, |(_, map)| map.lookup(at(reflected, lane)));
-            let diffuse = self.0.irradiance.lookup(at(n, lane)) * FRAC_1_PI;
-            at(kd, lane) * diffuse + at(ks, lane) * specular
+        let exponent = phong_exponent(points.plane(PointLayout::SHININESS));
+        let specular = self.0.of_lobe(exponent, reflected).to_array();
+        let irradiance = self.0.irradiance.along(n).to_array();
+        std::array::from_fn(|c| {
+            let diffuse = irradiance[c] * L::splat(FRAC_1_PI);
+            points.plane(PointLayout::DIFFUSE + c) * diffuse
+                + points.plane(PointLayout::SPECULAR + c) * specular[c]
         })
     }
 }

@@ -7,7 +7,7 @@ mod gpu;
 pub mod math;
 mod params;
 
-use crate::convolution::Sizes;
+use crate::convolution::{self, Sizes};
 use crate::{Claim, Info, Method, OwnModel, Quantity, Unsupported};
 use interreflect_scene::{CubeSpec, Needs, SceneFacts};
 
@@ -45,8 +45,8 @@ impl Method for ClassicEnvmap {
         }
     }
 
-    fn claims(_params: &Self::Params, _quantity: Quantity) -> Vec<Claim> {
-        Vec::new()
+    fn claims(params: &Self::Params, quantity: Quantity) -> Vec<Claim> {
+        convolution::claims::claims(&params.sizes(), quantity)
     }
 }
 

@@ -6,7 +6,7 @@ use crate::averaging::{face_solid_angles_sr, mean_radiance};
 use crate::kept::Kept;
 use crate::{Cpu, Estimator, EstimatorError, Inputs, Quantity};
 use glam::Vec3;
-use interreflect_cpu::lane::{WIDTH, Wide};
+use interreflect_cpu::lane::Lane;
 use interreflect_cpu::tiles::{CpuCx, PointLanes, TileKernel};
 use interreflect_scene::conventions::CUBE_FACES;
 use interreflect_scene::{Estimate, PointLayout};
@@ -59,9 +59,8 @@ struct Diffuse([f32; 3]);
 
 impl TileKernel for Diffuse {
     #[inline(always)]
-    fn shade(&self, _points: &PointLanes<'_>) -> [Wide; 3] {
-        self.0
-            .map(|radiance| ambient_irradiance(Wide([radiance; WIDTH])))
+    fn shade<L: Lane>(&self, _points: &PointLanes<'_, L>) -> [L; 3] {
+        self.0.map(|radiance| ambient_irradiance(L::from(radiance)))
     }
 }
 
@@ -69,12 +68,12 @@ struct Glossy([f32; 3]);
 
 impl TileKernel for Glossy {
     #[inline(always)]
-    fn shade(&self, points: &PointLanes<'_>) -> [Wide; 3] {
+    fn shade<L: Lane>(&self, points: &PointLanes<'_, L>) -> [L; 3] {
         std::array::from_fn(|c| {
             ambient_reflection(
                 points.plane(PointLayout::DIFFUSE + c),
                 points.plane(PointLayout::SPECULAR + c),
-                Wide([self.0[c]; WIDTH]),
+                self.0[c].into(),
             )
         })
     }

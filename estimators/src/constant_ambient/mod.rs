@@ -1,6 +1,7 @@
 //! Constant ambient light: the mean radiance seen from the reference point arrives from
 //! everywhere. The simplest estimator there is, and the template for a new one.
 
+mod claims;
 mod cpu;
 mod gpu;
 pub mod math;
@@ -42,8 +43,8 @@ impl Method for ConstantAmbient {
         }
     }
 
-    fn claims(_params: &Self::Params, _quantity: Quantity) -> Vec<Claim> {
-        Vec::new()
+    fn claims(_params: &Self::Params, quantity: Quantity) -> Vec<Claim> {
+        claims::claims(quantity)
     }
 }
 

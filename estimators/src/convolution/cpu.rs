@@ -1,15 +1,14 @@
-//! Convolutions on the CPU: every node of a map sums over all texels, sixteen nodes at a time.
+//! Convolutions on the CPU: every node of a map sums over all texels, as a point of its own.
 
 use super::Sizes;
 use super::math::{cosine_weight, map_nodes, map_taps, phong_weight};
 use super::sources::{Source, light, node_points, vectors_sr};
 use crate::averaging::face_solid_angles_sr;
 use crate::kept::Kept;
-use crate::reflection::{at, lanes};
 use crate::{Changed, Cpu, EstimatorError, Inputs};
 use glam::Vec3;
-use interreflect_cpu::lane::{Lane, Vector, WIDTH, Wide};
-use interreflect_cpu::tiles::{CpuCx, PointLanes, TileKernel};
+use interreflect_cpu::lane::{Lane, Scalar, Vector};
+use interreflect_cpu::tiles::{Arithmetic, CpuCx, PointLanes, TileKernel};
 use interreflect_scene::{Estimate, PointLayout, Points};
 
 /// The tables and the convolved maps, kept across frames.
@@ -44,6 +43,20 @@ impl Tables {
 pub(crate) struct Maps {
     pub(crate) irradiance: Map,
     pub(crate) lobes: Vec<(f32, Map)>,
+}
+
+impl Maps {
+    /// Radiance in each lane's direction, filtered with the lobe of its exponent; 0 without one.
+    #[inline(always)]
+    pub(crate) fn of_lobe<L: Lane>(&self, exponent: L, directions: Vector<L>) -> Vector<L> {
+        Vector::by_lane(|i| {
+            let is_its = |e: f32| L::Scalar::from(e) >= exponent.lanes()[i];
+            let lobe = self.lobes.iter().find(|(e, _)| is_its(*e));
+            lobe.map_or(Vector::splat([0.0; 3]), |(_, map)| {
+                map.lookup(directions.lane(i))
+            })
+        })
+    }
 }
 
 impl Convolved {
@@ -93,6 +106,8 @@ pub(crate) struct Map {
 impl Map {
     fn convolve<K: TileKernel>(cx: &CpuCx, cells: u32, at: &Points, kernel: &K) -> Self {
         let mut nodes = Estimate::new(map_nodes(cells));
+        // A map is prepared: the same whatever arithmetic shades with it.
+        let cx = cx.with_arithmetic(Arithmetic::Lanes);
         cx.for_each_tile(at, &mut nodes, kernel);
         Self {
             cells,
@@ -102,20 +117,26 @@ impl Map {
 
     /// Bilinear value in a direction, which need not be unit.
     #[inline(always)]
-    pub(crate) fn lookup(&self, direction: Vec3) -> Vec3 {
-        map_taps(self.cells, direction)
-            .into_iter()
-            .map(|(node, weight)| self.nodes[node] * weight)
-            .sum()
+    fn lookup<S: Scalar>(&self, direction: Vector<S>) -> Vector<S> {
+        let mut sum = Vector::splat([0.0; 3]);
+        for (node, weight) in map_taps(self.cells, direction) {
+            sum = sum + Vector::splat(self.nodes[node].to_array()).scale(weight);
+        }
+        sum
+    }
+
+    /// RGB in each lane's direction.
+    #[inline(always)]
+    pub(crate) fn along<L: Lane>(&self, directions: Vector<L>) -> Vector<L> {
+        Vector::by_lane(|i| self.lookup(directions.lane(i)))
     }
 }
 
 /// The value along each point's normal.
 impl TileKernel for Map {
     #[inline(always)]
-    fn shade(&self, points: &PointLanes<'_>) -> [Wide; 3] {
-        let n = points.vector(PointLayout::NORMAL);
-        lanes(|lane| self.lookup(at(n, lane)))
+    fn shade<L: Lane>(&self, points: &PointLanes<'_, L>) -> [L; 3] {
+        self.along(points.vector(PointLayout::NORMAL)).to_array()
     }
 }
 
@@ -124,13 +145,13 @@ struct Cosine<'a>(&'a [Source]);
 
 impl TileKernel for Cosine<'_> {
     #[inline(always)]
-    fn shade(&self, points: &PointLanes<'_>) -> [Wide; 3] {
+    fn shade<L: Lane>(&self, points: &PointLanes<'_, L>) -> [L; 3] {
         let n = points.vector(PointLayout::NORMAL);
-        let mut sum = [Wide::splat(0.0); 3];
+        let mut sum = [L::from(0.0); 3];
         for source in self.0 {
             let weight = cosine_weight(n, Vector::splat(source.vector));
             for (sum, radiance) in sum.iter_mut().zip(source.radiance) {
-                *sum = *sum + weight * Wide([radiance; WIDTH]);
+                *sum = *sum + weight * L::from(radiance);
             }
         }
         sum
@@ -142,12 +163,12 @@ struct Phong<'a>(&'a [Source], f32);
 
 impl TileKernel for Phong<'_> {
     #[inline(always)]
-    fn shade(&self, points: &PointLanes<'_>) -> [Wide; 3] {
+    fn shade<L: Lane>(&self, points: &PointLanes<'_, L>) -> [L; 3] {
         let r = points.vector(PointLayout::NORMAL);
-        let zero = Wide::splat(0.0);
-        let exponent = Wide([self.1; WIDTH]);
+        let zero = L::from(0.0);
+        let exponent = L::from(self.1);
         let texel = |source: &Source| {
-            let vector: Vector<Wide> = Vector::splat(source.vector);
+            let vector: Vector<L> = Vector::splat(source.vector);
             let omega = vector.dot(vector).sqrt();
             (r.dot(vector) / omega, omega)
         };
@@ -161,7 +182,7 @@ impl TileKernel for Phong<'_> {
             let weight = omega * phong_weight(cos, cos_max, exponent);
             total = total + weight;
             for (sum, radiance) in sum.iter_mut().zip(source.radiance) {
-                *sum = *sum + weight * Wide([radiance; WIDTH]);
+                *sum = *sum + weight * L::from(radiance);
             }
         }
         sum.map(|s| s / total)

@@ -1,7 +1,7 @@
 //! Convolutions of a cube map at infinity, and the lookup into the convolved maps.
 
 use glam::{DVec3, Vec3};
-use interreflect_cpu::lane::{Lane, Vector};
+use interreflect_cpu::lane::{Lane, Scalar, Vector};
 use interreflect_scene::conventions::{cube_coordinates, cube_vector};
 
 /// Vector solid angle ∫ω dω in sr of a texel of a face of `size`² texels: half the sum over its
@@ -67,20 +67,21 @@ pub fn node_direction(cells: u32, index: usize) -> Vec3 {
 
 /// The four nodes around a direction with their bilinear weights. The direction need not be unit.
 #[inline]
-pub fn map_taps(cells: u32, direction: Vec3) -> [(usize, f32); 4] {
-    let (face, s, t) = cube_coordinates(direction.as_dvec3());
+pub fn map_taps<S: Scalar>(cells: u32, direction: Vector<S>) -> [(usize, S); 4] {
+    let (face, s, t) = cube_coordinates(direction.into());
+    let (one, half) = (S::from(1.0), S::from(0.5));
     let place = |v: f64| {
-        let v = (v as f32 * 0.5 + 0.5) * cells as f32;
-        let cell = v.clamp(0.0, cells as f32 - 1.0).floor();
-        (cell as usize, v - cell)
+        let v = (S::splat(v) * half + half) * S::from(cells as f32);
+        let cell = v.whole().min(cells as usize - 1);
+        (cell, v - S::from(cell as f32))
     };
     let ((column, u), (row, v)) = (place(s), place(t));
     let side = cells as usize + 1;
     let base = (face * side + row) * side + column;
     [
-        (base, (1.0 - u) * (1.0 - v)),
-        (base + 1, u * (1.0 - v)),
-        (base + side, (1.0 - u) * v),
+        (base, (one - u) * (one - v)),
+        (base + 1, u * (one - v)),
+        (base + side, (one - u) * v),
         (base + side + 1, u * v),
     ]
 }

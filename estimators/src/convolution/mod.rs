@@ -1,6 +1,7 @@
 //! Maps of a cube at infinity, convolved with the cosine or with a Phong lobe: cube maps whose
 //! nodes are shared along the edges of faces, so that a bilinear lookup has no seam.
 
+pub(crate) mod claims;
 pub(crate) mod cpu;
 pub(crate) mod gpu;
 pub mod math;

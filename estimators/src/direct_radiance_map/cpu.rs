@@ -5,7 +5,7 @@ use super::samples::{Highlight, Photon, photons};
 use super::{DirectRadianceMap, DirectRadianceMapParams, Formula};
 use crate::texels::math::{cos_half, lobe_normalisation, normalised_reflectivity};
 use crate::{Changed, Cpu, Estimator, EstimatorError, Inputs, Quantity};
-use interreflect_cpu::lane::{Lane, Vector, WIDTH, Wide};
+use interreflect_cpu::lane::{Lane, Vector};
 use interreflect_cpu::tiles::{CpuCx, PointLanes, TileKernel};
 use interreflect_scene::{Estimate, PointLayout, Points};
 use std::f64::consts::FRAC_1_PI;
@@ -66,7 +66,7 @@ impl Estimator<Cpu> for DirectRadianceMap {
 
 /// The solid angle in sr of a photon.
 trait Omega: Sync {
-    fn omega(extent: Wide, r2: Wide, cos_surface: Wide) -> Wide;
+    fn omega<L: Lane>(extent: L, r2: L, cos_surface: L) -> L;
 }
 
 struct Constant;
@@ -75,21 +75,21 @@ struct Corrected;
 
 impl Omega for Constant {
     #[inline(always)]
-    fn omega(extent: Wide, _r2: Wide, _cos_surface: Wide) -> Wide {
+    fn omega<L: Lane>(extent: L, _r2: L, _cos_surface: L) -> L {
         extent
     }
 }
 
 impl Omega for Published {
     #[inline(always)]
-    fn omega(extent: Wide, r2: Wide, cos_surface: Wide) -> Wide {
+    fn omega<L: Lane>(extent: L, r2: L, cos_surface: L) -> L {
         omega_published(extent, r2, cos_surface)
     }
 }
 
 impl Omega for Corrected {
     #[inline(always)]
-    fn omega(extent: Wide, r2: Wide, cos_surface: Wide) -> Wide {
+    fn omega<L: Lane>(extent: L, r2: L, cos_surface: L) -> L {
         omega_corrected(extent, r2, cos_surface)
     }
 }
@@ -101,12 +101,7 @@ struct Sum<'a, F> {
 }
 
 #[inline(always)]
-fn splat(v: f32) -> Wide {
-    Wide([v; WIDTH])
-}
-
-#[inline(always)]
-fn accumulate(sum: &mut [Wide; 3], radiance: [Wide; 3], weight: Wide) {
+fn accumulate<L: Lane>(sum: &mut [L; 3], radiance: [L; 3], weight: L) {
     for (sum, radiance) in sum.iter_mut().zip(radiance) {
         *sum = *sum + weight * radiance;
     }
@@ -138,34 +133,34 @@ impl<'a, F: Omega> Sum<'a, F> {
 
     /// Direction to a photon, its solid angle in sr and its radiance towards the points.
     #[inline(always)]
-    fn seen<const SHINING: bool>(
+    fn seen<const SHINING: bool, L: Lane>(
         &self,
         index: usize,
-        x: Vector<Wide>,
-    ) -> (Vector<Wide>, Wide, [Wide; 3]) {
+        x: Vector<L>,
+    ) -> (Vector<L>, L, [L; 3]) {
         let photon = &self.photons[index];
         let (i, r2) = towards_photon(Vector::splat(photon.position), x);
         let normal = Vector::splat(photon.normal);
-        let omega = F::omega(splat(photon.extent), r2, -i.dot(normal));
-        let mut radiance = photon.radiance.map(splat);
+        let omega = F::omega(photon.extent.into(), r2, -i.dot(normal));
+        let mut radiance = photon.radiance.map(L::from);
         if SHINING {
             let highlight = &self.highlights[index];
             let cos_half = cos_half(normal, Vector::splat(highlight.to_light), -i);
-            let lobe = cos_half.lobe_power(splat(photon.shininess));
-            accumulate(&mut radiance, highlight.radiance.map(splat), lobe);
+            let lobe = cos_half.lobe_power(photon.shininess.into());
+            accumulate(&mut radiance, highlight.radiance.map(L::from), lobe);
         }
         (i, omega, radiance)
     }
 
     /// E = Σ L·(n·ω)⁺·Δω.
     #[inline(always)]
-    fn irradiance<const SHINING: bool>(&self, points: &PointLanes<'_>) -> [Wide; 3] {
+    fn irradiance<const SHINING: bool, L: Lane>(&self, points: &PointLanes<'_, L>) -> [L; 3] {
         let x = points.vector(PointLayout::POSITION);
         let n = points.vector(PointLayout::NORMAL);
-        let zero = Wide::splat(0.0);
+        let zero = L::from(0.0);
         let mut sum = [zero; 3];
         for index in 0..self.photons.len() {
-            let (i, omega, radiance) = self.seen::<SHINING>(index, x);
+            let (i, omega, radiance) = self.seen::<SHINING, L>(index, x);
             accumulate(&mut sum, radiance, omega * n.dot(i).max(zero));
         }
         sum
@@ -176,8 +171,8 @@ struct Irradiance<'a, F, const SHINING: bool>(Sum<'a, F>);
 
 impl<F: Omega, const SHINING: bool> TileKernel for Irradiance<'_, F, SHINING> {
     #[inline(always)]
-    fn shade(&self, points: &PointLanes<'_>) -> [Wide; 3] {
-        self.0.irradiance::<SHINING>(points)
+    fn shade<L: Lane>(&self, points: &PointLanes<'_, L>) -> [L; 3] {
+        self.0.irradiance::<SHINING, L>(points)
     }
 }
 
@@ -186,9 +181,9 @@ struct Diffuse<'a, F>(Sum<'a, F>);
 
 impl<F: Omega> TileKernel for Diffuse<'_, F> {
     #[inline(always)]
-    fn shade(&self, points: &PointLanes<'_>) -> [Wide; 3] {
-        let irradiance = self.0.irradiance::<false>(points);
-        let over_pi = Wide::splat(FRAC_1_PI);
+    fn shade<L: Lane>(&self, points: &PointLanes<'_, L>) -> [L; 3] {
+        let irradiance = self.0.irradiance::<false, L>(points);
+        let over_pi = L::splat(FRAC_1_PI);
         std::array::from_fn(|c| points.plane(PointLayout::DIFFUSE + c) * over_pi * irradiance[c])
     }
 }
@@ -198,16 +193,16 @@ struct Glossy<'a, F>(Sum<'a, F>);
 
 impl<F: Omega> TileKernel for Glossy<'_, F> {
     #[inline(always)]
-    fn shade(&self, points: &PointLanes<'_>) -> [Wide; 3] {
+    fn shade<L: Lane>(&self, points: &PointLanes<'_, L>) -> [L; 3] {
         let x = points.vector(PointLayout::POSITION);
         let n = points.vector(PointLayout::NORMAL);
         let v = points.vector(PointLayout::VIEW);
         let shininess = points.plane(PointLayout::SHININESS);
         let normalisation = lobe_normalisation(shininess);
-        let zero = [Wide::splat(0.0); 3];
+        let zero = [L::from(0.0); 3];
         let (mut diffuse, mut specular) = (zero, zero);
         for index in 0..self.0.photons.len() {
-            let (i, omega, radiance) = self.0.seen::<true>(index, x);
+            let (i, omega, radiance) = self.0.seen::<true, L>(index, x);
             let half = cos_half(n, i, v);
             let (d, s) = normalised_reflectivity(n.dot(i), half, shininess, normalisation);
             accumulate(&mut diffuse, radiance, d * omega);

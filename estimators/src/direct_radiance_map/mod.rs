@@ -2,6 +2,7 @@
 //! picture taken from the light shows what is lit, and nothing else; a few of its texels are small
 //! lights that shine on every point.
 
+mod claims;
 mod cpu;
 mod gpu;
 pub mod math;
@@ -65,8 +66,8 @@ impl Method for DirectRadianceMap {
         }
     }
 
-    fn claims(_params: &Self::Params, _quantity: Quantity) -> Vec<Claim> {
-        Vec::new()
+    fn claims(params: &Self::Params, quantity: Quantity) -> Vec<Claim> {
+        claims::claims(params, quantity)
     }
 }
 
@@ -106,6 +107,12 @@ impl DirectRadianceMapParams {
             (Fidelity::Published, SolidAngle::Eq14) => Formula::Published,
             (Fidelity::Published, _) => Formula::Constant,
         }
+    }
+
+    /// Whether each sample lies in the middle of its cell, so that a mirrored view has mirrored samples.
+    fn sees_middles(&self) -> bool {
+        let texels = self.map_resolution / self.samples_per_side;
+        self.map_resolution.is_multiple_of(self.samples_per_side) && texels % 2 == 1
     }
 
     /// Whether a photon's solid angle is the same whatever its area.

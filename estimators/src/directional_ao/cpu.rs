@@ -8,7 +8,7 @@ use super::{DirectionalAo, DirectionalAoParams, Visibility, environment, values}
 use crate::{Cpu, Estimator, EstimatorError, Inputs, Quantity, Unsupported};
 use glam::Vec3;
 use interreflect_cpu::capture::directional_depth::DirectionalDepths;
-use interreflect_cpu::lane::{Lane, Vector, WIDTH, Wide};
+use interreflect_cpu::lane::{Lane, Vector};
 use interreflect_cpu::scene::CpuScene;
 use interreflect_cpu::tiles::{CpuCx, PointLanes, TileKernel};
 use interreflect_scene::{Estimate, LANES, PointLayout, Points};
@@ -182,25 +182,22 @@ struct Sum<'a> {
 
 impl TileKernel for Sum<'_> {
     #[inline(always)]
-    fn shade(&self, points: &PointLanes<'_>) -> [Wide; 3] {
+    fn shade<L: Lane>(&self, points: &PointLanes<'_, L>) -> [L; 3] {
         let n = points.vector(PointLayout::NORMAL);
-        let mut sum = [Wide::splat(0.0); 3];
+        let mut sum = [L::from(0.0); 3];
         let chunks = self
             .light
             .towards
             .chunks(WORD)
             .zip(self.light.values.chunks(WORD));
         for (word, (towards, values)) in chunks.enumerate() {
-            let bits = &self.bits[word * self.stride + points.first()..][..WIDTH];
+            let bits = &self.bits[word * self.stride + points.first()..][..L::WIDTH];
             for (bit, (towards, value)) in towards.iter().zip(values).enumerate() {
-                let mut open = [0.0; WIDTH];
-                for (open, bits) in open.iter_mut().zip(bits) {
-                    *open = ((bits >> bit) & 1) as f32;
-                }
+                let open = L::by_lane(|i| L::Scalar::from(((bits[i] >> bit) & 1) as f32));
                 let cosine = n.dot(Vector::splat(towards.to_array()));
-                let m = open_cosine(cosine, Wide(open));
+                let m = open_cosine(cosine, open);
                 for (sum, value) in sum.iter_mut().zip(value) {
-                    *sum = *sum + m * Wide([*value; WIDTH]);
+                    *sum = *sum + m * L::from(*value);
                 }
             }
         }

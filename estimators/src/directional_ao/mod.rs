@@ -2,6 +2,7 @@
 //! Ambient Occlusion Computation*. One depth map for each of k directions says which points are open
 //! there; a bit per point and direction is kept, so that light may change without looking again.
 
+mod claims;
 mod cpu;
 mod environment;
 mod gpu;
@@ -72,8 +73,8 @@ impl Method for DirectionalAo {
         }
     }
 
-    fn claims(_params: &Self::Params, _quantity: Quantity) -> Vec<Claim> {
-        Vec::new()
+    fn claims(params: &Self::Params, quantity: Quantity) -> Vec<Claim> {
+        claims::claims(params, quantity)
     }
 }
 

@@ -9,7 +9,7 @@ use crate::texels::gather::{Cosines, TexelLight, gather};
 use crate::texels::math::{lobe_normalisation, normalised_reflectivity};
 use crate::texels::{Texel, average};
 use crate::{Changed, Cpu, Estimator, EstimatorError, Inputs, Quantity};
-use interreflect_cpu::lane::{Lane, Vector, WIDTH, Wide};
+use interreflect_cpu::lane::{Lane, Vector};
 use interreflect_cpu::tiles::CpuCx;
 use interreflect_scene::Estimate;
 use interreflect_scene::params::Fidelity;
@@ -88,22 +88,22 @@ impl Estimator<Cpu> for LocalizedCubemap {
 struct Published;
 
 impl TexelLight for Published {
-    type Lobe = Wide;
+    type Lobe<L: Lane> = L;
 
     #[inline(always)]
-    fn omega(&self, texel: &Texel, _i: Vector<Wide>, r2: Wide) -> Wide {
+    fn omega<L: Lane>(&self, texel: &Texel, _i: Vector<L>, r2: L) -> L {
         omega_published(texel.extents(), r2)
     }
     #[inline(always)]
-    fn cosine(&self, n_i: Wide, _omega: Wide) -> Wide {
-        n_i.max(Wide::splat(0.0))
+    fn cosine<L: Lane>(&self, n_i: L, _omega: L) -> L {
+        n_i.max(L::from(0.0))
     }
     #[inline(always)]
-    fn lobe(&self, shininess: Wide) -> Wide {
+    fn lobe<L: Lane>(&self, shininess: L) -> L {
         shininess
     }
     #[inline(always)]
-    fn reflectivity(&self, shininess: &Wide, at: Cosines, _omega: Wide) -> (Wide, Wide) {
+    fn reflectivity<L: Lane>(&self, shininess: &L, at: Cosines<L>, _omega: L) -> (L, L) {
         reflectivity_published(at.n_i, at.n_v, at.n_h, *shininess)
     }
 }
@@ -112,22 +112,22 @@ struct Corrected;
 
 impl TexelLight for Corrected {
     /// Exponent and normalisation.
-    type Lobe = (Wide, Wide);
+    type Lobe<L: Lane> = (L, L);
 
     #[inline(always)]
-    fn omega(&self, texel: &Texel, i: Vector<Wide>, r2: Wide) -> Wide {
+    fn omega<L: Lane>(&self, texel: &Texel, i: Vector<L>, r2: L) -> L {
         omega_corrected(texel.extents(), r2, texel.cos_surface(i))
     }
     #[inline(always)]
-    fn cosine(&self, n_i: Wide, _omega: Wide) -> Wide {
-        n_i.max(Wide::splat(0.0))
+    fn cosine<L: Lane>(&self, n_i: L, _omega: L) -> L {
+        n_i.max(L::from(0.0))
     }
     #[inline(always)]
-    fn lobe(&self, shininess: Wide) -> (Wide, Wide) {
+    fn lobe<L: Lane>(&self, shininess: L) -> (L, L) {
         (shininess, lobe_normalisation(shininess))
     }
     #[inline(always)]
-    fn reflectivity(&self, lobe: &(Wide, Wide), at: Cosines, _omega: Wide) -> (Wide, Wide) {
+    fn reflectivity<L: Lane>(&self, lobe: &(L, L), at: Cosines<L>, _omega: L) -> (L, L) {
         normalised_reflectivity(at.n_i, at.n_h, lobe.0, lobe.1)
     }
 }
@@ -136,40 +136,40 @@ impl TexelLight for Corrected {
 struct Averaged<'a, const CORRECTED: bool>(&'a Tables);
 
 impl<const CORRECTED: bool> TexelLight for Averaged<'_, CORRECTED> {
-    /// Table of each lane, and normalisation.
-    type Lobe = ([usize; WIDTH], Wide);
+    /// Number of each lane's table, and normalisation.
+    type Lobe<L: Lane> = (L, L);
 
     #[inline(always)]
-    fn omega(&self, texel: &Texel, i: Vector<Wide>, r2: Wide) -> Wide {
+    fn omega<L: Lane>(&self, texel: &Texel, i: Vector<L>, r2: L) -> L {
         match CORRECTED {
             true => omega_corrected(texel.extents(), r2, texel.cos_surface(i)),
             false => omega_published(texel.extents(), r2),
         }
     }
     #[inline(always)]
-    fn cosine(&self, n_i: Wide, omega: Wide) -> Wide {
-        self.0.averaged_over([0; WIDTH], n_i, omega)
+    fn cosine<L: Lane>(&self, n_i: L, omega: L) -> L {
+        self.0.averaged_over(L::from(0.0), n_i, omega)
     }
     #[inline(always)]
-    fn lobe(&self, shininess: Wide) -> ([usize; WIDTH], Wide) {
-        let tables = shininess.0.map(|n| self.0.of_lobe(n));
-        (tables, lobe_normalisation(shininess))
+    fn lobe<L: Lane>(&self, shininess: L) -> (L, L) {
+        let table = L::by_lane(|i| self.0.of_lobe(shininess.lanes()[i]));
+        (table, lobe_normalisation(shininess))
     }
     #[inline(always)]
-    fn reflectivity(
+    fn reflectivity<L: Lane>(
         &self,
-        (table, normalisation): &([usize; WIDTH], Wide),
-        at: Cosines,
-        omega: Wide,
-    ) -> (Wide, Wide) {
-        let zero = Wide::splat(0.0);
+        (table, normalisation): &(L, L),
+        at: Cosines<L>,
+        omega: L,
+    ) -> (L, L) {
+        let zero = L::from(0.0);
         let cos_theta = self.cosine(at.n_i, omega);
         let power = self.0.averaged_over(*table, at.n_h, omega);
         if CORRECTED {
-            let diffuse = cos_theta * Wide::splat(FRAC_1_PI);
+            let diffuse = cos_theta * L::splat(FRAC_1_PI);
             return (diffuse, cos_theta * *normalisation * power);
         }
-        let lit = |value: Wide| at.n_v.select_gt(zero, value, zero);
+        let lit = |value: L| at.n_v.select_gt(zero, value, zero);
         (lit(cos_theta), lit(at.n_i.select_gt(zero, power, zero)))
     }
 }

@@ -3,6 +3,7 @@
 //! light at its surface's place, and its solid angle is scaled from the reference point to the
 //! shaded point.
 
+mod claims;
 mod cpu;
 mod gpu;
 pub mod math;
@@ -50,8 +51,8 @@ impl Method for LocalizedCubemap {
         }
     }
 
-    fn claims(_params: &Self::Params, _quantity: Quantity) -> Vec<Claim> {
-        Vec::new()
+    fn claims(params: &Self::Params, quantity: Quantity) -> Vec<Claim> {
+        claims::claims(params, quantity)
     }
 }
 

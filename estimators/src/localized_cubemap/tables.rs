@@ -5,7 +5,7 @@
 //! vectors that it makes with the view direction, a cap of half the radius.
 
 use super::math::{cap_mean, table_place};
-use interreflect_cpu::lane::{WIDTH, Wide};
+use interreflect_cpu::lane::{Lane, Scalar};
 use std::f64::consts::PI;
 
 /// Nodes along the axis of the angle.
@@ -32,39 +32,41 @@ impl Tables {
         Self { lobes, values }
     }
 
-    /// Which table belongs to a lobe of this exponent.
+    /// Which table belongs to a lobe of this exponent: its number.
     #[inline(always)]
-    pub(super) fn of_lobe(&self, shininess: f32) -> usize {
+    pub(super) fn of_lobe<S: Scalar>(&self, shininess: S) -> S {
         // Without lobes nothing shines, and any table will do.
-        let later = self.lobes.iter().position(|e| *e >= shininess);
-        later.map_or(self.lobes.len(), |place| 1 + place)
+        let later = self.lobes.iter().position(|e| S::from(*e) >= shininess);
+        S::splat(later.map_or(self.lobes.len(), |place| 1 + place) as f64)
     }
 
     /// Bilinear values of a table for each lane.
     #[inline(always)]
-    pub(super) fn averaged_over(
-        &self,
-        table: [usize; WIDTH],
-        cos_theta: Wide,
-        omega: Wide,
-    ) -> Wide {
+    pub(super) fn averaged_over<L: Lane>(&self, table: L, cos_theta: L, omega: L) -> L {
         let (first, second) = table_place(cos_theta, omega);
-        let mut result = [0.0; WIDTH];
-        for lane in 0..WIDTH {
-            let x = first.0[lane] * (ANGLES - 1) as f32;
-            let y = second.0[lane] * (SOLID_ANGLES - 1) as f32;
-            let (column, row) = (
-                (x as usize).min(ANGLES - 2),
-                (y as usize).min(SOLID_ANGLES - 2),
-            );
-            let (u, v) = (x - column as f32, y - row as f32);
-            let at = (table[lane] * SOLID_ANGLES + row) * ANGLES + column;
-            let low = self.values[at] * (1.0 - u) + self.values[at + 1] * u;
-            let above = at + ANGLES;
-            let high = self.values[above] * (1.0 - u) + self.values[above + 1] * u;
-            result[lane] = low * (1.0 - v) + high * v;
+        let mut means = L::from(0.0);
+        // A loop: a closure is not sure to be inlined, which the kernel's instructions need.
+        for (i, mean) in means.lanes_mut().iter_mut().enumerate() {
+            let (table, first, second) = (table.lanes()[i], first.lanes()[i], second.lanes()[i]);
+            *mean = self.bilinear(table.whole(), first, second);
         }
-        Wide(result)
+        means
+    }
+
+    /// Bilinear value of a table at a place in [0, 1]².
+    #[inline(always)]
+    fn bilinear<S: Scalar>(&self, table: usize, first: S, second: S) -> S {
+        let one = S::from(1.0);
+        let x = first * S::from((ANGLES - 1) as f32);
+        let y = second * S::from((SOLID_ANGLES - 1) as f32);
+        let (column, row) = (x.whole().min(ANGLES - 2), y.whole().min(SOLID_ANGLES - 2));
+        let (u, v) = (x - S::from(column as f32), y - S::from(row as f32));
+        let at = (table * SOLID_ANGLES + row) * ANGLES + column;
+        let above = at + ANGLES;
+        let nodes = [at, at + 1, above, above + 1].map(|at| S::from(self.values[at]));
+        let low = nodes[0] * (one - u) + nodes[1] * u;
+        let high = nodes[2] * (one - u) + nodes[3] * u;
+        low * (one - v) + high * v
     }
 }
 

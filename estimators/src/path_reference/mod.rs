@@ -1,6 +1,7 @@
 //! Path tracing as an estimator: slow, unbiased, and the measure of all others. Which light paths
 //! count is a parameter, so that what another method leaves out can be split into its parts.
 
+mod claims;
 mod params;
 
 use crate::{
@@ -47,8 +48,8 @@ impl Method for PathReference {
         OwnModel::LightTransport(params.paths())
     }
 
-    fn claims(_params: &Self::Params, _quantity: Quantity) -> Vec<Claim> {
-        Vec::new()
+    fn claims(params: &Self::Params, quantity: Quantity) -> Vec<Claim> {
+        claims::claims(params, quantity)
     }
 }
 

@@ -2,11 +2,10 @@
 
 use super::{PhongEnvmap, PhongEnvmapParams};
 use crate::convolution::cpu::{Convolved, Maps};
+use crate::reflection::Lobes;
 use crate::reflection::math::{fresnel_mix, mirrored, schlick};
-use crate::reflection::{Lobes, at, lanes};
 use crate::{Cpu, Estimator, EstimatorError, Inputs, Quantity};
-use glam::Vec3;
-use interreflect_cpu::lane::{WIDTH, Wide};
+use interreflect_cpu::lane::{Lane, Vector};
 use interreflect_cpu::tiles::{CpuCx, PointLanes, TileKernel};
 use interreflect_scene::{Estimate, PointLayout};
 
@@ -62,15 +61,15 @@ struct Glossy<'a> {
 
 impl TileKernel for Glossy<'_> {
     #[inline(always)]
-    fn shade(&self, points: &PointLanes<'_>) -> [Wide; 3] {
+    fn shade<L: Lane>(&self, points: &PointLanes<'_, L>) -> [L; 3] {
         let n = points.vector(PointLayout::NORMAL);
         let v = points.vector(PointLayout::VIEW);
-        let fresnel = schlick(Wide([self.f_lambda; WIDTH]), n.dot(v));
-        let irradiance = lanes(|lane| self.maps.irradiance.lookup(at(n, lane)));
-        let reflected = mirrored(n, v);
+        let fresnel = schlick(self.f_lambda.into(), n.dot(v));
+        let irradiance = self.maps.irradiance.along(n).to_array();
+        let nothing = Vector::splat([0.0; 3]);
         let lobe = self.maps.lobes.first();
-        let radiance =
-            lanes(|lane| lobe.map_or(Vec3::ZERO, |(_, map)| map.lookup(at(reflected, lane))));
+        let radiance = lobe.map_or(nothing, |(_, map)| map.along(mirrored(n, v)));
+        let radiance = radiance.to_array();
         std::array::from_fn(|c| {
             let diffuse = points.plane(PointLayout::DIFFUSE + c);
             let specular = points.plane(PointLayout::SPECULAR + c);

@@ -7,7 +7,7 @@ use crate::texels::gather::{Cosines, TexelLight, gather};
 use crate::texels::math::{lobe_normalisation, normalised_reflectivity};
 use crate::texels::{Texel, average};
 use crate::{Changed, Cpu, Estimator, EstimatorError, Inputs, Quantity};
-use interreflect_cpu::lane::{Lane, Vector, WIDTH, Wide};
+use interreflect_cpu::lane::{Lane, Vector};
 use interreflect_cpu::tiles::CpuCx;
 use interreflect_scene::Estimate;
 
@@ -63,23 +63,23 @@ struct PointLight {
 
 impl TexelLight for PointLight {
     /// Exponent and normalisation.
-    type Lobe = (Wide, Wide);
+    type Lobe<L: Lane> = (L, L);
 
     #[inline(always)]
-    fn omega(&self, texel: &Texel, i: Vector<Wide>, r2: Wide) -> Wide {
-        let largest = Wide([self.largest; WIDTH]);
+    fn omega<L: Lane>(&self, texel: &Texel, i: Vector<L>, r2: L) -> L {
+        let largest = self.largest.into();
         point_omega(texel.extents(), r2, texel.cos_surface(i), largest)
     }
     #[inline(always)]
-    fn cosine(&self, n_i: Wide, _omega: Wide) -> Wide {
-        n_i.max(Wide::splat(0.0))
+    fn cosine<L: Lane>(&self, n_i: L, _omega: L) -> L {
+        n_i.max(L::from(0.0))
     }
     #[inline(always)]
-    fn lobe(&self, shininess: Wide) -> (Wide, Wide) {
+    fn lobe<L: Lane>(&self, shininess: L) -> (L, L) {
         (shininess, lobe_normalisation(shininess))
     }
     #[inline(always)]
-    fn reflectivity(&self, lobe: &(Wide, Wide), at: Cosines, _omega: Wide) -> (Wide, Wide) {
+    fn reflectivity<L: Lane>(&self, lobe: &(L, L), at: Cosines<L>, _omega: L) -> (L, L) {
         normalised_reflectivity(at.n_i, at.n_h, lobe.0, lobe.1)
     }
 }

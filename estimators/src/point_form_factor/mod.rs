@@ -2,6 +2,7 @@
 //! place (A. Keller, *Instant Radiosity*; the usual answer before discs and polygons). It spikes
 //! where a point comes near to a texel's middle, by design: a baseline.
 
+mod claims;
 mod cpu;
 mod gpu;
 pub mod math;
@@ -47,8 +48,8 @@ impl Method for PointFormFactor {
         }
     }
 
-    fn claims(_params: &Self::Params, _quantity: Quantity) -> Vec<Claim> {
-        Vec::new()
+    fn claims(params: &Self::Params, quantity: Quantity) -> Vec<Claim> {
+        claims::claims(params, quantity)
     }
 }
 

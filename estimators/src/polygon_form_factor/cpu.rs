@@ -8,7 +8,7 @@ use crate::fields::MAX_RESOLUTION;
 use crate::kept::Kept;
 use crate::texels::average;
 use crate::{Changed, Cpu, Estimator, EstimatorError, Inputs, Quantity};
-use interreflect_cpu::lane::{Lane, Vector, WIDTH, Wide};
+use interreflect_cpu::lane::{Lane, Vector};
 use interreflect_cpu::tiles::{CpuCx, PointLanes, TileKernel};
 use interreflect_scene::conventions::CUBE_FACES;
 use interreflect_scene::params::Fidelity;
@@ -79,28 +79,28 @@ struct Contours<'a> {
     origin: [f32; 3],
 }
 
-/// A corner from sixteen points.
+/// A corner from the points.
 #[derive(Clone, Copy)]
-struct Seen {
-    r: Vector<Wide>,
+struct Seen<L> {
+    r: Vector<L>,
     /// Above the horizon.
-    height: Wide,
+    height: L,
 }
 
 /// A texel's corners and the values of its edges, each towards larger columns or rows.
-struct Quad {
+struct Quad<L> {
     /// (s₀,t₀), (s₀,t₁), (s₁,t₁), (s₁,t₀): clockwise seen from the reference point.
-    corners: [Seen; 4],
-    left: Wide,
-    right: Wide,
-    top: Wide,
-    bottom: Wide,
+    corners: [Seen<L>; 4],
+    left: L,
+    right: L,
+    top: L,
+    bottom: L,
 }
 
-impl Quad {
+impl<L: Lane> Quad<L> {
     /// Sum along the contour, clockwise.
     #[inline(always)]
-    fn contour(&self) -> Wide {
+    fn contour(&self) -> L {
         self.left + self.bottom - self.right - self.top
     }
 }
@@ -108,15 +108,15 @@ impl Quad {
 /// A fidelity: what an edge and a quadrilateral count.
 trait Formula: Sync {
     /// Value of the edge between two corners, which changes its sign with their order.
-    fn edge(&self, a: &Seen, b: &Seen, n: Vector<Wide>) -> Wide;
+    fn edge<L: Lane>(&self, a: &Seen<L>, b: &Seen<L>, n: Vector<L>) -> L;
     /// Irradiance from a texel of radiance 1, or nothing where it is below all horizons.
-    fn quad(&self, face: usize, quad: &Quad, n: Vector<Wide>) -> Option<Wide>;
+    fn quad<L: Lane>(&self, face: usize, quad: &Quad<L>, n: Vector<L>) -> Option<L>;
 }
 
 impl Contours<'_> {
     #[inline(always)]
-    fn gather(&self, formula: &impl Formula, points: &PointLanes<'_>) -> [Wide; 3] {
-        let zero = Wide::splat(0.0);
+    fn gather<L: Lane>(&self, formula: &impl Formula, points: &PointLanes<'_, L>) -> [L; 3] {
+        let zero = L::from(0.0);
         let x = points.vector(PointLayout::POSITION) - Vector::splat(self.origin);
         let n = points.vector(PointLayout::NORMAL);
         let reach = x.dot(x).sqrt();
@@ -131,8 +131,9 @@ impl Contours<'_> {
         for face in 0..CUBE_FACES {
             let corner = |i: usize, j: usize| {
                 let [dx, dy, dz, w] = self.quads.corners[(face * side + j) * side + i];
-                let r = Vector::splat([dx, dy, dz]) - x.scale(Wide([w; WIDTH]));
-                let height = corner_height(r, n, Wide([w; WIDTH]), reach);
+                let w = L::from(w);
+                let r = Vector::splat([dx, dy, dz]) - x.scale(w);
+                let height = corner_height(r, n, w, reach);
                 Seen { r, height }
             };
             for (i, above) in above.iter_mut().enumerate().take(side) {
@@ -156,7 +157,7 @@ impl Contours<'_> {
                     if let Some(irradiance) = formula.quad(face, &quad, n) {
                         let radiance = self.quads.radiances[(face * m + j) * m + i];
                         for (sum, radiance) in sum.iter_mut().zip(radiance) {
-                            *sum = *sum + irradiance * Wide([radiance; WIDTH]);
+                            *sum = *sum + irradiance * L::from(radiance);
                         }
                     }
                     (above[i], tops[i]) = (below, quad.bottom);
@@ -174,22 +175,22 @@ struct Published<'a>(Contours<'a>);
 
 impl Formula for Published<'_> {
     #[inline(always)]
-    fn edge(&self, a: &Seen, b: &Seen, n: Vector<Wide>) -> Wide {
+    fn edge<L: Lane>(&self, a: &Seen<L>, b: &Seen<L>, n: Vector<L>) -> L {
         edge_cosine(a.r, b.r, n)
     }
 
     #[inline(always)]
-    fn quad(&self, face: usize, quad: &Quad, _n: Vector<Wide>) -> Option<Wide> {
+    fn quad<L: Lane>(&self, face: usize, quad: &Quad<L>, _n: Vector<L>) -> Option<L> {
         let (a, b) = REUSED_EDGE[face];
         let angle = edge_angle(quad.corners[a].r, quad.corners[b].r);
-        let sum = Wide::splat(0.5) * angle * quad.contour();
-        Some(sum.max(Wide::splat(0.0)))
+        let sum = L::from(0.5) * angle * quad.contour();
+        Some(sum.max(L::from(0.0)))
     }
 }
 
 impl TileKernel for Published<'_> {
     #[inline(always)]
-    fn shade(&self, points: &PointLanes<'_>) -> [Wide; 3] {
+    fn shade<L: Lane>(&self, points: &PointLanes<'_, L>) -> [L; 3] {
         self.0.gather(self, points)
     }
 }
@@ -200,16 +201,16 @@ struct Corrected<'a, const SIGNED: bool>(Contours<'a>);
 impl<const SIGNED: bool> Formula for Corrected<'_, SIGNED> {
     /// Where no lane has the whole edge above its horizon, none reads it.
     #[inline(always)]
-    fn edge(&self, a: &Seen, b: &Seen, n: Vector<Wide>) -> Wide {
+    fn edge<L: Lane>(&self, a: &Seen<L>, b: &Seen<L>, n: Vector<L>) -> L {
         match any_positive(a.height.min(b.height)) {
             true => edge_integral(a.r, b.r, n),
-            false => Wide::splat(0.0),
+            false => L::from(0.0),
         }
     }
 
     #[inline(always)]
-    fn quad(&self, _face: usize, quad: &Quad, n: Vector<Wide>) -> Option<Wide> {
-        let zero = Wide::splat(0.0);
+    fn quad<L: Lane>(&self, _face: usize, quad: &Quad<L>, n: Vector<L>) -> Option<L> {
+        let zero = L::from(0.0);
         let heights = quad.corners.map(|c| c.height);
         let [a, b, c, d] = heights;
         let highest = a.max(b).max(c.max(d));
@@ -217,7 +218,7 @@ impl<const SIGNED: bool> Formula for Corrected<'_, SIGNED> {
             return None;
         }
         let lowest = a.min(b).min(c.min(d));
-        let whole = Wide::splat(0.5) * quad.contour();
+        let whole = L::from(0.5) * quad.contour();
         let cut = lowest.select_gt(zero, zero, highest);
         let part = match any_positive(cut) {
             true => clipped_quad(&quad.corners.map(|c| c.r), &heights, n),
@@ -233,20 +234,13 @@ impl<const SIGNED: bool> Formula for Corrected<'_, SIGNED> {
 
 impl<const SIGNED: bool> TileKernel for Corrected<'_, SIGNED> {
     #[inline(always)]
-    fn shade(&self, points: &PointLanes<'_>) -> [Wide; 3] {
+    fn shade<L: Lane>(&self, points: &PointLanes<'_, L>) -> [L; 3] {
         let sum = self.0.gather(self, points);
-        sum.map(|e| e.max(Wide::splat(0.0)))
+        sum.map(|e| e.max(L::from(0.0)))
     }
 }
 
 #[inline(always)]
-fn any_positive(values: Wide) -> bool {
-    // Halves against halves: a chain of sixteen would wait for each link.
-    let mut v = values.0;
-    for half in [WIDTH / 2, WIDTH / 4, WIDTH / 8, WIDTH / 16] {
-        for i in 0..half {
-            v[i] = Lane::max(v[i], v[i + half]);
-        }
-    }
-    v[0] > 0.0
+fn any_positive<L: Lane>(values: L) -> bool {
+    values.largest() > L::Scalar::from(0.0)
 }

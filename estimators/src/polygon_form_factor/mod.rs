@@ -2,6 +2,7 @@
 //! GPU*. Each texel of a cube map with distances is a quadrilateral through its four corners, and
 //! every point gathers from all of them by the form factor of a polygon.
 
+mod claims;
 mod corners;
 mod cpu;
 mod gpu;
@@ -48,8 +49,8 @@ impl Method for PolygonFormFactor {
         }
     }
 
-    fn claims(_params: &Self::Params, _quantity: Quantity) -> Vec<Claim> {
-        Vec::new()
+    fn claims(params: &Self::Params, _quantity: Quantity) -> Vec<Claim> {
+        claims::claims(params)
     }
 }
 

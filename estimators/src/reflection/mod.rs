@@ -5,7 +5,6 @@ pub mod math;
 
 use crate::{Backend, Changed, Inputs, Quantity};
 use glam::Vec3;
-use interreflect_cpu::lane::{Lane, Vector, WIDTH, Wide};
 
 /// Twins of math.rs.
 pub(crate) const LEAVES: &str = include_str!("math.wgsl");
@@ -31,23 +30,4 @@ impl Lobes {
         }
         self.0 == Some(true)
     }
-}
-
-/// One lane of a vector.
-#[inline(always)]
-pub(crate) fn at(v: Vector<Wide>, lane: usize) -> Vec3 {
-    Vec3::new(v.x.0[lane], v.y.0[lane], v.z.0[lane])
-}
-
-/// Sixteen values, lane by lane.
-#[inline(always)]
-pub(crate) fn lanes(value: impl Fn(usize) -> Vec3) -> [Wide; 3] {
-    let mut planes = [Wide::splat(0.0); 3];
-    for lane in 0..WIDTH {
-        let rgb = value(lane);
-        for c in 0..3 {
-            planes[c].0[lane] = rgb[c];
-        }
-    }
-    planes
 }

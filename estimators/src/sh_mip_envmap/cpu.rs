@@ -7,11 +7,11 @@ use super::tables::harmonic_weights;
 use super::{LodMode, ShMipEnvmap, ShMipEnvmapParams, check_levels};
 use crate::averaging::{averaged, face_solid_angles_sr};
 use crate::kept::Kept;
+use crate::reflection::Lobes;
 use crate::reflection::math::{fresnel_mix, mirrored, schlick};
-use crate::reflection::{Lobes, at, lanes};
 use crate::{Changed, Cpu, Estimator, EstimatorError, Inputs, Quantity};
 use glam::{DVec3, Vec3};
-use interreflect_cpu::lane::{Lane, Vector, WIDTH, Wide};
+use interreflect_cpu::lane::{Lane, Vector};
 use interreflect_cpu::tiles::{CpuCx, PointLanes, TileKernel};
 use interreflect_scene::{CubeImage, Estimate, PointLayout};
 use pyramid::{BoxWeights, Pyramid};
@@ -51,11 +51,11 @@ impl Harmonics {
 
     /// E(n) = Σ Â_i·L_i·Y_i(n).
     #[inline(always)]
-    fn irradiance(&self, n: Vector<Wide>) -> [Wide; 3] {
-        let mut sum = [Wide::splat(0.0); 3];
+    fn irradiance<L: Lane>(&self, n: Vector<L>) -> [L; 3] {
+        let mut sum = [L::from(0.0); 3];
         for (coefficient, y) in self.0.iter().zip(harmonics(n)) {
             for (sum, c) in sum.iter_mut().zip(coefficient.to_array()) {
-                *sum = *sum + Wide([c; WIDTH]) * y;
+                *sum = *sum + L::from(c) * y;
             }
         }
         sum
@@ -123,7 +123,7 @@ impl Estimator<Cpu> for ShMipEnvmap {
 
 impl TileKernel for Harmonics {
     #[inline(always)]
-    fn shade(&self, points: &PointLanes<'_>) -> [Wide; 3] {
+    fn shade<L: Lane>(&self, points: &PointLanes<'_, L>) -> [L; 3] {
         self.irradiance(points.vector(PointLayout::NORMAL))
     }
 }
@@ -137,13 +137,13 @@ struct Glossy<'a> {
 
 impl Glossy<'_> {
     #[inline(always)]
-    fn level(&self, footprint: f32) -> f32 {
+    fn level<L: Lane>(&self, footprint: L) -> L {
         let top = self.params.top_level() as f32;
         match self.params.lod_mode {
-            LodMode::Absolute => self.params.lod.clamp(0.0, top),
+            LodMode::Absolute => L::from(self.params.lod.clamp(0.0, top)),
             LodMode::Bias => {
                 let base = self.params.base_size() as f32;
-                biased_level(footprint, base, self.params.lod, top)
+                biased_level(footprint, base.into(), self.params.lod.into(), top.into())
             }
         }
     }
@@ -151,18 +151,17 @@ impl Glossy<'_> {
 
 impl TileKernel for Glossy<'_> {
     #[inline(always)]
-    fn shade(&self, points: &PointLanes<'_>) -> [Wide; 3] {
+    fn shade<L: Lane>(&self, points: &PointLanes<'_, L>) -> [L; 3] {
         let n = points.vector(PointLayout::NORMAL);
         let v = points.vector(PointLayout::VIEW);
-        let fresnel = schlick(Wide([self.params.f_lambda; WIDTH]), n.dot(v));
+        let fresnel = schlick(self.params.f_lambda.into(), n.dot(v));
         let irradiance = self.irradiance.irradiance(n);
         let reflected = mirrored(n, v);
-        let footprint = points.plane(PointLayout::FOOTPRINT);
-        let radiance = lanes(|lane| {
-            let level = self.level(footprint.0[lane]);
-            let along = |p: &Pyramid| p.radiance(at(reflected, lane), level);
-            self.pyramid.map_or(Vec3::ZERO, along)
+        let level: L = self.level(points.plane(PointLayout::FOOTPRINT));
+        let radiance = self.pyramid.map_or(Vector::splat([0.0; 3]), |pyramid| {
+            Vector::by_lane(|i| pyramid.radiance(reflected.lane(i), level.lanes()[i]))
         });
+        let radiance = radiance.to_array();
         std::array::from_fn(|c| {
             let diffuse = points.plane(PointLayout::DIFFUSE + c);
             let specular = points.plane(PointLayout::SPECULAR + c);

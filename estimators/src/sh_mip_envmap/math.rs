@@ -4,8 +4,7 @@
 //! texel around them; levels follow one another, the finest first.
 
 use super::params::Window;
-use glam::Vec3;
-use interreflect_cpu::lane::{Lane, Vector};
+use interreflect_cpu::lane::{Lane, Scalar, Vector};
 use interreflect_scene::conventions::{CUBE_FACES, cube_coordinates, neighbour_texel};
 use std::f64::consts::PI;
 
@@ -63,13 +62,14 @@ pub fn neighbour(size: u32, face: usize, column: i32, row: i32) -> (usize, u32, 
 /// texel of the smallest column and row of the four around it, counted from the level's first, and
 /// the bilinear weights of the next column and row.
 #[inline]
-pub fn mip_taps(size: u32, direction: Vec3) -> (usize, f32, f32) {
-    let (face, s, t) = cube_coordinates(direction.as_dvec3());
+pub fn mip_taps<S: Scalar>(size: u32, direction: Vector<S>) -> (usize, S, S) {
+    let (face, s, t) = cube_coordinates(direction.into());
+    let half = S::from(0.5);
     let place = |v: f64| {
         // Stored texel i + 1 has its centre at (i + 1/2)/size.
-        let v = (v as f32 * 0.5 + 0.5) * size as f32 + 0.5;
-        let cell = v.floor().clamp(0.0, size as f32);
-        (cell as usize, v - cell)
+        let v = (S::splat(v) * half + half) * S::from(size as f32) + half;
+        let cell = v.whole().min(size as usize);
+        (cell, v - S::from(cell as f32))
     };
     let ((column, u), (row, v)) = (place(s), place(t));
     let side = size as usize + 2;
@@ -79,8 +79,8 @@ pub fn mip_taps(size: u32, direction: Vec3) -> (usize, f32, f32) {
 /// Level at which the mirrored direction's change `footprint` between neighbouring pixels, in
 /// radians, is one texel of a pyramid whose base has `base` texels along an edge (2/`base` rad at a
 /// face's centre), plus a bias; in [0, `top`]. A footprint of 0, not known, is the finest.
-#[inline]
-pub fn biased_level(footprint: f32, base: f32, bias: f32, top: f32) -> f32 {
-    let texels = (footprint * (0.5 * base)).max(1e-6);
-    (texels.log2() + bias).clamp(0.0, top)
+#[inline(always)]
+pub fn biased_level<L: Lane>(footprint: L, base: L, bias: L, top: L) -> L {
+    let texels = (footprint * (L::from(0.5) * base)).max(L::splat(1e-6));
+    (texels.log2() + bias).max(L::from(0.0)).min(top)
 }

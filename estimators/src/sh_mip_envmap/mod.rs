@@ -3,6 +3,7 @@
 //! Diffuse: nine spherical harmonics of a small cube, convolved with the cosine. Glossy: a
 //! box-filtered mip pyramid, looked up along the mirrored direction at a blurred level.
 
+mod claims;
 mod cpu;
 mod gpu;
 pub mod math;
@@ -49,8 +50,8 @@ impl Method for ShMipEnvmap {
         }
     }
 
-    fn claims(_params: &Self::Params, _quantity: Quantity) -> Vec<Claim> {
-        Vec::new()
+    fn claims(params: &Self::Params, quantity: Quantity) -> Vec<Claim> {
+        claims::claims(params, quantity)
     }
 }
 

@@ -1,40 +1,40 @@
-//! Every point sums over all texels, sixteen points at a time.
+//! Every point sums over all texels.
 
 use super::Texel;
 use super::math::{cos_half, towards_texel};
 use crate::Quantity;
-use interreflect_cpu::lane::{Lane, Vector, WIDTH, Wide};
+use interreflect_cpu::lane::{Lane, Vector};
 use interreflect_cpu::tiles::{CpuCx, PointLanes, TileKernel};
 use interreflect_scene::{Estimate, PointLayout, Points};
 
 /// What a texel counts: a method's own formulas.
 pub(crate) trait TexelLight: Sync {
-    /// What the reflectivity needs of the lobes of sixteen points.
-    type Lobe;
+    /// What the reflectivity needs of the points' lobes.
+    type Lobe<L: Lane>;
 
     /// Solid angle in sr of a texel from the points; `i` is the direction to it, `r2` = (r/d)².
-    fn omega(&self, texel: &Texel, i: Vector<Wide>, r2: Wide) -> Wide;
+    fn omega<L: Lane>(&self, texel: &Texel, i: Vector<L>, r2: L) -> L;
 
     /// Cosine at the points, in the mean over the texel.
-    fn cosine(&self, n_i: Wide, omega: Wide) -> Wide;
+    fn cosine<L: Lane>(&self, n_i: L, omega: L) -> L;
 
     /// The points' lobes.
-    fn lobe(&self, shininess: Wide) -> Self::Lobe;
+    fn lobe<L: Lane>(&self, shininess: L) -> Self::Lobe<L>;
 
     /// Diffuse and specular factor of the reflectivity, the cosine included.
-    fn reflectivity(&self, lobe: &Self::Lobe, cosines: Cosines, omega: Wide) -> (Wide, Wide);
+    fn reflectivity<L: Lane>(&self, lobe: &Self::Lobe<L>, at: Cosines<L>, omega: L) -> (L, L);
 }
 
 impl Texel {
     /// What the method says of its size, in each lane.
     #[inline(always)]
-    pub(crate) fn extents(&self) -> Wide {
-        Wide([self.extent; WIDTH])
+    pub(crate) fn extents<L: Lane>(&self) -> L {
+        L::from(self.extent)
     }
 
     /// Cosine between its surface's normal and the direction back along `i`.
     #[inline(always)]
-    pub(crate) fn cos_surface(&self, i: Vector<Wide>) -> Wide {
+    pub(crate) fn cos_surface<L: Lane>(&self, i: Vector<L>) -> L {
         -i.dot(Vector::splat(self.normal))
     }
 }
@@ -42,10 +42,10 @@ impl Texel {
 /// Cosines at the point between its normal and the direction to a texel, to the viewer and the half
 /// vector of both.
 #[derive(Clone, Copy)]
-pub(crate) struct Cosines {
-    pub(crate) n_i: Wide,
-    pub(crate) n_v: Wide,
-    pub(crate) n_h: Wide,
+pub(crate) struct Cosines<L> {
+    pub(crate) n_i: L,
+    pub(crate) n_v: L,
+    pub(crate) n_h: L,
 }
 
 /// Sums over texels around `origin` at every point.
@@ -76,24 +76,23 @@ struct Sum<'a, M> {
 impl<M: TexelLight> Sum<'_, M> {
     /// Points relative to the reference point.
     #[inline(always)]
-    fn relative(&self, points: &PointLanes<'_>) -> Vector<Wide> {
+    fn relative<L: Lane>(&self, points: &PointLanes<'_, L>) -> Vector<L> {
         points.vector(PointLayout::POSITION) - Vector::splat(self.origin)
     }
 
     /// Direction I to a texel and its solid angle from x.
     #[inline(always)]
-    fn seen(&self, texel: &Texel, x: Vector<Wide>) -> (Vector<Wide>, Wide) {
-        let splat = |v: f32| Wide([v; WIDTH]);
+    fn seen<L: Lane>(&self, texel: &Texel, x: Vector<L>) -> (Vector<L>, L) {
         let direction = Vector::splat(texel.direction);
-        let (i, r2) = towards_texel(direction, splat(texel.inverse_distance), x);
+        let (i, r2) = towards_texel(direction, texel.inverse_distance.into(), x);
         (i, self.method.omega(texel, i, r2))
     }
 }
 
 #[inline(always)]
-fn accumulate(sum: &mut [Wide; 3], radiance: [f32; 3], weight: Wide) {
+fn accumulate<L: Lane>(sum: &mut [L; 3], radiance: [f32; 3], weight: L) {
     for (sum, radiance) in sum.iter_mut().zip(radiance) {
-        *sum = *sum + weight * Wide([radiance; WIDTH]);
+        *sum = *sum + weight * L::from(radiance);
     }
 }
 
@@ -102,9 +101,9 @@ struct Diffuse<'a, M>(Sum<'a, M>);
 
 impl<M: TexelLight> TileKernel for Diffuse<'_, M> {
     #[inline(always)]
-    fn shade(&self, points: &PointLanes<'_>) -> [Wide; 3] {
+    fn shade<L: Lane>(&self, points: &PointLanes<'_, L>) -> [L; 3] {
         let (x, n) = (self.0.relative(points), points.vector(PointLayout::NORMAL));
-        let mut sum = [Wide::splat(0.0); 3];
+        let mut sum = [L::from(0.0); 3];
         for texel in self.0.texels {
             let (i, omega) = self.0.seen(texel, x);
             let weight = omega * self.0.method.cosine(n.dot(i), omega);
@@ -119,12 +118,12 @@ struct Glossy<'a, M>(Sum<'a, M>);
 
 impl<M: TexelLight> TileKernel for Glossy<'_, M> {
     #[inline(always)]
-    fn shade(&self, points: &PointLanes<'_>) -> [Wide; 3] {
+    fn shade<L: Lane>(&self, points: &PointLanes<'_, L>) -> [L; 3] {
         let (x, n) = (self.0.relative(points), points.vector(PointLayout::NORMAL));
         let v = points.vector(PointLayout::VIEW);
         let lobe = self.0.method.lobe(points.plane(PointLayout::SHININESS));
         let n_v = n.dot(v);
-        let zero = [Wide::splat(0.0); 3];
+        let zero = [L::from(0.0); 3];
         let (mut diffuse, mut specular) = (zero, zero);
         for texel in self.0.texels {
             let (i, omega) = self.0.seen(texel, x);

@@ -55,51 +55,71 @@ fn clipped(n: DVec3, corners: &[DVec3]) -> Vec<DVec3> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::form_factors::*;
+    use super::super::quadrature::irradiance_by_area;
     use super::*;
     use std::f64::consts::PI;
 
-    /// A rectangle in the plane z = c with one corner above the point.
-    fn parallel(a: f64, b: f64, c: f64) -> [DVec3; 4] {
-        [
-            DVec3::new(0.0, 0.0, c),
-            DVec3::new(a, 0.0, c),
-            DVec3::new(a, b, c),
-            DVec3::new(0.0, b, c),
-        ]
+    /// A polygon with corners on an ellipse: semi-axes along two vectors.
+    fn around_ellipse(n: usize, centre: DVec3, a: DVec3, b: DVec3) -> Vec<DVec3> {
+        let corner = |i: usize| {
+            let (s, c) = (i as f64 / n as f64 * 2.0 * PI).sin_cos();
+            centre + a * c + b * s
+        };
+        (0..n).map(corner).collect()
     }
 
     #[test]
-    fn agrees_with_the_closed_form_of_a_parallel_rectangle() {
-        for (a, b, c) in [
-            (1.0, 1.0, 1.0),
-            (0.3, 2.0, 0.5),
-            (10.0, 5.0, 1e-3),
-            (0.01, 0.02, 1.0),
+    fn agrees_with_quadrature_over_the_area() {
+        let n = DVec3::new(0.3, -0.2, 0.8).normalize();
+        for (corners, centre, a, b) in [
+            // Above the horizon, near and far.
+            (4, DVec3::new(0.2, 0.1, 1.0), DVec3::X, DVec3::Y),
+            (7, DVec3::new(0.5, -3.0, 4.0), DVec3::X * 0.3, DVec3::Z),
+            // Cut by the horizon, little of it left above, and all of it below.
+            (4, DVec3::new(1.0, 0.4, 0.0), DVec3::Y, DVec3::Z * 2.0),
+            (5, DVec3::new(0.0, 1.0, -0.5), DVec3::X, DVec3::Z),
+            (3, DVec3::new(0.0, 0.5, -2.0), DVec3::X, DVec3::Y),
+            // Slivers, one of them cut.
+            (4, DVec3::new(0.3, 0.5, 0.6), DVec3::X, DVec3::Y * 1e-4),
+            (3, DVec3::new(1.0, 0.3, 0.0), DVec3::Y * 1e-6, DVec3::Z),
         ] {
-            let f = polygon_irradiance(DVec3::Z, &parallel(a, b, c)) / PI;
-            let exact = parallel_rectangle(a, b, c);
-            assert!((f / exact - 1.0).abs() < 1e-11, "{a} {b} {c}: {f} {exact}");
-        }
-    }
-
-    #[test]
-    fn agrees_with_the_closed_form_of_a_perpendicular_rectangle() {
-        for (height, width, distance) in [(1.0, 1.0, 1.0), (2.0, 0.5, 0.1), (0.2, 3.0, 2.0)] {
-            // Stands on the receiver's plane: clipped exactly at the horizon.
-            let corners = [
-                DVec3::new(0.0, distance, 0.0),
-                DVec3::new(0.0, distance, height),
-                DVec3::new(width, distance, height),
-                DVec3::new(width, distance, 0.0),
-            ];
-            let f = polygon_irradiance(DVec3::Z, &corners).abs() / PI;
-            let exact = perpendicular_rectangle(height, width, distance);
+            let corners = around_ellipse(corners, centre, a, b);
+            let closed = polygon_irradiance(n, &corners).abs();
+            let quadrature = irradiance_by_area(n, &corners);
+            // The midpoint rule: (size/distance)²/1024², with a kink at the horizon.
+            let error = (closed - quadrature).abs();
             assert!(
-                (f / exact - 1.0).abs() < 1e-11,
-                "{height} {width} {distance}"
+                error <= 2e-5 * quadrature,
+                "{centre}: {closed}, by quadrature {quadrature}"
             );
         }
+    }
+
+    /// Fractions of the hemisphere as the point nears the polygon; at height h what is missing is h
+    /// over the distance to the other edges.
+    #[test]
+    fn ends_at_one_inside_half_on_an_edge_and_a_quarter_in_a_right_corner() {
+        let h = 1e-9;
+        let square = [(0.0, 0.0), (0.0, 1.0), (1.0, 1.0), (1.0, 0.0)];
+        for (x, y, exact) in [
+            (0.3, 0.6, 1.0),
+            (0.0, 0.4, 0.5),
+            (0.7, 1.0, 0.5),
+            (0.0, 0.0, 0.25),
+            (1.0, 0.0, 0.25),
+            (1.5, 0.5, 0.0),
+        ] {
+            let corners = square.map(|(s, t)| DVec3::new(s - x, t - y, h));
+            let f = polygon_irradiance(DVec3::Z, &corners).abs() / PI;
+            assert!((f - exact).abs() < 10.0 * h, "({x}, {y}): {f}");
+        }
+    }
+
+    #[test]
+    fn a_polygon_through_the_point_gives_nothing_that_is_not_a_number() {
+        let degenerate = [DVec3::ZERO, DVec3::X, DVec3::X, DVec3::new(0.0, 1.0, 1.0)];
+        assert!(polygon_irradiance(DVec3::Z, &degenerate).is_finite());
+        assert_eq!(polygon_irradiance(DVec3::Z, &[]), 0.0);
     }
 
     #[test]

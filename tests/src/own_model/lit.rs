@@ -1,11 +1,10 @@
 //! All places that the lights' rays meet first, summed patch by patch.
 
 use super::cell::{Cell, corners, is_edge};
-use super::gather::{IN_PLANE, Seen, Sums, Tile, unit};
-use super::near::near;
+use super::gather::{IN_PLANE, Sums, Tile, unit};
 use super::node::Node;
 use glam::{DVec3, Vec3};
-use interreflect_cpu::lane::{Lane, Vector, WIDTH, Wide};
+use interreflect_cpu::lane::{Lane, Vector};
 use interreflect_cpu::scene::CpuScene;
 use interreflect_cpu::tiles::{PointLanes, TileKernel};
 use interreflect_estimators::Quantity;
@@ -115,56 +114,46 @@ impl Patch {
         })
     }
 
-    /// Radiance towards sixteen points, `r` from them to the patch.
+    /// Radiance towards the points, `r` from them to the patch.
     #[inline(always)]
-    fn radiance(&self, r: Vector<Wide>) -> [Wide; 3] {
-        let splat = |v: f32| Wide([v; WIDTH]);
+    fn radiance<L: Lane>(&self, r: Vector<L>) -> [L; 3] {
         let lambertian = self.node.radiance().to_array();
         let Some(highlight) = &self.highlight else {
-            return lambertian.map(splat);
+            return lambertian.map(L::from);
         };
         let half = unit(Vector::splat(highlight.to_light.to_array()) - unit(r));
         let cos_half = Vector::splat(self.node.normal.to_array()).dot(half);
         let lobe = cos_half
-            .min(Wide::splat(1.0))
-            .lobe_power(splat(highlight.shininess));
+            .min(L::from(1.0))
+            .lobe_power(highlight.shininess.into());
         let peak = highlight.radiance.to_array();
-        std::array::from_fn(|c| splat(lambertian[c]) + lobe * splat(peak[c]))
+        std::array::from_fn(|c| L::from(lambertian[c]) + lobe * L::from(peak[c]))
     }
 
     /// Adds what the patch sends to the points.
     #[inline(always)]
-    fn add(&self, tile: &Tile, sums: &mut Sums) {
+    fn add<L: Lane>(&self, tile: &Tile<L>, sums: &mut Sums<L>) {
+        let scalar = L::Scalar::from;
         let seen = tile.look(&self.node);
         let least = IN_PLANE * self.node.centre.length();
-        if tile.largest(seen.facing) <= least || tile.largest(seen.above) < -self.node.radius {
+        let hidden = tile.largest(seen.facing) <= scalar(least);
+        if hidden || tile.largest(seen.above) < scalar(-self.node.radius) {
             return;
         }
         let radiance = self.radiance(seen.r);
-        if tile.smallest(seen.r2) > tile.near * self.node.size2() {
-            let area = Wide([self.node.measure; WIDTH]);
+        if tile.smallest(seen.r2) > tile.near * scalar(self.node.size2()) {
+            let area = L::from(self.node.measure);
             tile.add_power(&self.node, radiance.map(|l| l * area), &seen, sums);
         } else {
-            self.add_near(tile, &seen, radiance, sums);
-        }
-    }
-
-    #[inline(never)]
-    fn add_near(&self, tile: &Tile, seen: &Seen, radiance: [Wide; 3], sums: &mut Sums) {
-        let least = IN_PLANE * self.node.centre.length();
-        for i in (0..WIDTH).filter(|&i| tile.alive[i] > 0.0 && seen.facing.0[i] > least) {
-            let (diffuse, specular) = near(&tile.receiver(i), &self.corners);
-            for (c, radiance) in radiance.iter().enumerate() {
-                sums.diffuse[c].0[i] += radiance.0[i] * diffuse as f32;
-                sums.specular[c].0[i] += radiance.0[i] * specular as f32;
-            }
+            let corners = (&self.corners, radiance);
+            tile.add_corners(corners, (seen.facing, least), sums);
         }
     }
 }
 
 impl TileKernel for Lit {
     #[inline(always)]
-    fn shade(&self, points: &PointLanes<'_>) -> [Wide; 3] {
+    fn shade<L: Lane>(&self, points: &PointLanes<'_, L>) -> [L; 3] {
         let tile = Tile::new(points, self.origin, self.glossy, 0.0);
         let mut total = Sums::zero();
         // Sums of sums: rounding stays near that of one term.
@@ -182,7 +171,7 @@ impl TileKernel for Lit {
             return total.reflected(points);
         }
         if self.diffuse {
-            let over_pi = Wide::splat(FRAC_1_PI);
+            let over_pi = L::splat(FRAC_1_PI);
             return std::array::from_fn(|c| {
                 points.plane(PointLayout::DIFFUSE + c) * over_pi * total.diffuse[c]
             });

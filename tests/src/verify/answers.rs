@@ -53,6 +53,10 @@ pub(super) fn all() -> Vec<Answer> {
 }
 
 impl Answer {
+    pub(super) fn asks(&self, claim: &Claim) -> bool {
+        matches!(claim, Claim::Meets { answers, .. } if *answers == self.kind)
+    }
+
     pub(super) fn run(&self, subject: &Subject<'_>) -> (Asked, Found) {
         let claim = claimed(subject, |claim| match *claim {
             Claim::Meets {

@@ -143,6 +143,17 @@ pub fn checks() -> impl Iterator<Item = Check> {
 }
 
 impl Check {
+    /// Whether this is how a claim is tried.
+    pub fn asks(&self, claim: &Claim) -> bool {
+        match &self.kind {
+            Kind::Rule(_) => false,
+            Kind::Answer(answer) => answer.asks(claim),
+            Kind::Property(property) => property.asks(claim),
+            Kind::Convergence => matches!(claim, Claim::Converges { .. }),
+            Kind::Law(law) => law.asks(claim),
+        }
+    }
+
     /// Carries the check out.
     pub fn run(&self, subject: &Subject<'_>) -> Checked {
         if let Err(why) = subject.rig.opens(subject.method) {

@@ -10,7 +10,7 @@ use glam::Vec3;
 use interreflect_estimators::{Claim, Quantity};
 use interreflect_scene::Estimate;
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestError, TestRng, TestRunner};
-use std::cell::RefCell;
+use std::cell::Cell;
 
 /// A claim with the way to falsify it.
 pub(super) struct Property {
@@ -93,6 +93,10 @@ fn apart(a: Vec3, b: Vec3) -> f64 {
 const SHRINKING: u32 = 120;
 
 impl Property {
+    pub(super) fn asks(&self, claim: &Claim) -> bool {
+        (self.bound)(claim).is_some()
+    }
+
     /// Tries to falsify the claim.
     pub(super) fn run(&self, subject: &Subject<'_>) -> (Asked, Found) {
         let claim = claimed(subject, self.bound);
@@ -113,32 +117,34 @@ impl Property {
         if let Some(case) = &subject.case {
             return self.tell(subject, case, lighting, bound, cause, 1);
         }
-        let worst = RefCell::new((Worst::default(), None));
-        let tried = RefCell::new(0);
-        let shrinking = match claim.is_some() {
-            true => SHRINKING,
-            false => 0,
-        };
-        let mut runner = runner(subject, shrinking);
-        let outcome = runner.run(&Case::any(), |case| {
-            *tried.borrow_mut() += 1;
-            match (self.violation)(subject, &case.world(lighting)) {
-                Ok(found) if found.value <= bound => {
-                    let mut worst = worst.borrow_mut();
-                    if found.value >= worst.0.value {
-                        *worst = (found, Some(case));
-                    }
-                    Ok(())
-                }
-                Ok(found) => Err(TestCaseError::fail(found.value.to_string())),
-                Err(VerifyError::Unsupported(why)) => Err(TestCaseError::reject(why.0)),
-                Err(broken) => Err(TestCaseError::fail(broken.to_string())),
+        let worst = Cell::new(0.0_f64);
+        let tried = Cell::new(0);
+        // What is not claimed is not worth a small counterexample.
+        let shrinking = if claim.is_some() { SHRINKING } else { 0 };
+        let smaller = Cell::new(None::<u32>);
+        let outcome = runner(subject).run(&Case::any(), |case| {
+            match smaller.get() {
+                // Whatever is still simpler than the smallest so far is let pass.
+                Some(count) if count >= shrinking => return Ok(()),
+                Some(count) => smaller.set(Some(count + 1)),
+                None => tried.set(tried.get() + 1),
             }
+            let outcome = match (self.violation)(subject, &case.world(lighting)) {
+                Ok(found) if found.value <= bound => {
+                    worst.set(worst.get().max(found.value));
+                    return Ok(());
+                }
+                Ok(found) => TestCaseError::fail(found.value.to_string()),
+                Err(VerifyError::Unsupported(why)) => return Err(TestCaseError::reject(why.0)),
+                Err(broken) => TestCaseError::fail(broken.to_string()),
+            };
+            smaller.set(smaller.get().or(Some(0)));
+            Err(outcome)
         });
-        let tried = tried.into_inner();
+        let tried = tried.get();
         match outcome {
             Ok(()) => Ok(Finding {
-                value: worst.into_inner().0.value,
+                value: worst.get(),
                 bound,
                 cases: tried,
                 note: cause.into(),
@@ -186,10 +192,10 @@ impl Property {
 }
 
 /// Worlds from the subject's seed, the same for every property, method and backend.
-fn runner(subject: &Subject<'_>, shrinking: u32) -> TestRunner {
+fn runner(subject: &Subject<'_>) -> TestRunner {
     let config = Config {
         cases: subject.cases,
-        max_shrink_iters: shrinking,
+        max_shrink_iters: u32::MAX,
         max_local_rejects: 1,
         max_global_rejects: 1,
         failure_persistence: None,

@@ -10,7 +10,7 @@ pub fn quick(method: &mut dyn Configured) {
     let has = |name: &str| fields.iter().any(|(field, _)| field.name == name);
     let mut at_most = vec![
         ("capture_resolution", 64),
-        ("map_resolution", 128),
+        ("map_resolution", 256),
         ("samples", 64),
     ];
     // Maps that are convolved from other maps cost the product of both.

@@ -71,6 +71,8 @@ pub struct World {
     pub half: Vec3,
     /// Of each wall, in the order of cube faces: radiance, albedo, or (first channel) size in [0, 1].
     pub walls: [Vec3; CUBE_FACES],
+    /// Whether specks in the box's corners keep its bounds, whatever walls there are.
+    pub specks: bool,
     /// Factor on the distance of each wall's corners from the reference point, along their rays.
     pub reach: [f32; CUBE_FACES],
     /// The sky's radiance is 1 + `sky`·d.
@@ -101,6 +103,22 @@ impl World {
                 let [a, b, c, d] = [0, 1, 2, 3].map(|i| first + i);
                 mesh.triangles.extend([[a, b, c], [a, c, d]]);
                 mesh.materials.extend([face as u32; 2]);
+            }
+        }
+        if self.specks {
+            for k in 0..8 {
+                let sign = |bit: u32| if k & bit == 0 { -1.0 } else { 1.0 };
+                let corner = Vec3::new(sign(1), sign(2), sign(4));
+                let first = mesh.positions.len() as u32;
+                let speck = [
+                    corner,
+                    corner * (1.0 - 1e-3 * Vec3::X),
+                    corner * (1.0 - 1e-3 * Vec3::Y),
+                ];
+                mesh.positions
+                    .extend(speck.map(|c| self.placement.at(c * self.half)));
+                mesh.triangles.push([first, first + 1, first + 2]);
+                mesh.materials.push(0);
             }
         }
         if self.placement.linear.determinant() < 0.0 {

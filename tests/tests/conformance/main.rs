@@ -3,7 +3,6 @@
 //! Trials that need a device show as ignored, with the reason, where there is none; with
 //! `INTERREFLECT_REQUIRE_GPU=1` they then fail.
 
-mod bits;
 mod bounces;
 mod costs;
 mod environment_maps;
@@ -11,7 +10,6 @@ mod errata;
 mod form_factors;
 mod frames;
 mod moved;
-mod needs;
 mod openness;
 mod parity;
 mod parity_views;
@@ -20,9 +18,11 @@ mod radiance_maps;
 mod room;
 mod room_points;
 mod room_ties;
+mod rules;
 mod shaders;
 mod subjects;
 mod twins;
+mod verify;
 mod visibility;
 mod world;
 
@@ -33,8 +33,8 @@ fn main() {
     let trials: Vec<Trial> = [
         shaders::trials(),
         twins::trials(),
-        needs::trials(),
-        bits::trials(),
+        rules::trials(),
+        verify::trials(),
         costs::trials(),
         parity::trials(),
         moved::trials(),

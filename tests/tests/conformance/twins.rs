@@ -1,11 +1,12 @@
-//! Leaf functions: every `pub fn` of a method's math.rs gives, on the device, in float32 and in
-//! float64, the same for one table of inputs as the WGSL function of its name.
+//! Leaf functions: every `pub fn` of a method's math.rs gives, on the device, in float32, alone
+//! and in lanes, and in float64 the same for one table of inputs as the WGSL function of its name.
 
 mod table;
 
 use crate::ensure;
 use crate::world::{Outcome, on_gpu};
 use interreflect_conformance::tolerance::Tolerance;
+use interreflect_cpu::lane::{Lane, WIDTH, Wide};
 use interreflect_gpu::{GpuContext, Shader, wgsl};
 use libtest_mimic::{Failed, Trial};
 use std::path::{Path, PathBuf};
@@ -21,6 +22,14 @@ pub(crate) const RESULTS: usize = 4;
 /// A call in Rust, over numbers of one precision.
 pub(crate) type Call<T> = fn(&[T; ARGUMENTS]) -> Vec<T>;
 
+/// A function in the arithmetics that it is generic over.
+pub(crate) struct Calls {
+    pub(crate) f64: Call<f64>,
+    pub(crate) f32: Option<Call<f32>>,
+    /// Sixteen inputs side by side.
+    pub(crate) lanes: Option<Call<Wide>>,
+}
+
 /// A leaf function with its table of inputs.
 pub(crate) struct Twin {
     /// Folder of the method; empty for what all share.
@@ -29,10 +38,8 @@ pub(crate) struct Twin {
     pub(crate) name: &'static str,
     /// The call in WGSL: a `vec4f` of the results, from the numbers in `a`.
     pub(crate) wgsl: &'static str,
-    /// The call in Rust over f64.
-    pub(crate) f64: Call<f64>,
-    /// The call in Rust over f32, where the function is generic over the lane.
-    pub(crate) f32: Option<Call<f32>>,
+    /// The calls in Rust.
+    pub(crate) calls: Calls,
     /// The inputs.
     pub(crate) inputs: fn() -> Vec<[f32; ARGUMENTS]>,
     /// How far f32 may be from f64.
@@ -46,7 +53,7 @@ pub(crate) fn trials() -> Vec<Trial> {
             "" => format!("twins/{}", twin.name),
             method => format!("twins/{method}/{}", twin.name),
         };
-        if let Some(f32) = twin.f32 {
+        if let Some(f32) = twin.calls.f32 {
             trials.push(Trial::test(format!("{name}/cpu"), move || {
                 on_cpu(twin, f32)
             }));
@@ -59,14 +66,43 @@ pub(crate) fn trials() -> Vec<Trial> {
 }
 
 fn on_cpu(twin: &Twin, f32: Call<f32>) -> Outcome {
-    for input in (twin.inputs)() {
-        compare(twin, &input, &f32(&input))?;
+    let inputs = (twin.inputs)();
+    for input in &inputs {
+        compare(twin, input, &f32(input))?;
+    }
+    match twin.calls.lanes {
+        Some(lanes) => inputs
+            .chunks(WIDTH)
+            .try_for_each(|inputs| same_in_lanes(twin.name, inputs, f32, lanes)),
+        None => Ok(()),
+    }
+}
+
+/// Up to sixteen inputs side by side give the bits that each gives by itself.
+fn same_in_lanes(
+    name: &str,
+    inputs: &[[f32; ARGUMENTS]],
+    f32: Call<f32>,
+    lanes: Call<Wide>,
+) -> Outcome {
+    let input = |lane: usize| &inputs[lane.min(inputs.len() - 1)];
+    let side_by_side = std::array::from_fn(|k| Wide::by_lane(|lane| input(lane)[k]));
+    let found = lanes(&side_by_side);
+    for lane in 0..WIDTH {
+        let found: Vec<f32> = found.iter().map(|all| all.lanes()[lane]).collect();
+        let alone = f32(input(lane));
+        let bits = |values: &[f32]| -> Vec<u32> { values.iter().map(|v| v.to_bits()).collect() };
+        ensure!(
+            bits(&found) == bits(&alone),
+            "{name} of {:?} is {alone:?}, in lane {lane} {found:?}",
+            input(lane)
+        );
     }
     Ok(())
 }
 
 fn compare(twin: &Twin, input: &[f32; ARGUMENTS], found: &[f32]) -> Outcome {
-    let exact = (twin.f64)(&input.map(f64::from));
+    let exact = (twin.calls.f64)(&input.map(f64::from));
     for (i, (exact, found)) in exact.iter().zip(found).enumerate() {
         let checked = twin.tolerance.check(*exact, f64::from(*found));
         checked.map_err(|e| format!("{} of {input:?}, result {i}: {e}", twin.name))?;

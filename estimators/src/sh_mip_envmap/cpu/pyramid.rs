@@ -5,6 +5,7 @@ use super::super::math::{level_offset, mip_taps, neighbour};
 use super::super::tables::box_weights;
 use crate::averaging::{averaged, cube_texels};
 use glam::Vec3;
+use interreflect_cpu::lane::{Scalar, Vector};
 use interreflect_scene::CubeImage;
 use interreflect_scene::conventions::{CUBE_FACES, texel_index};
 use interreflect_scene::params::Fidelity;
@@ -114,27 +115,29 @@ impl Pyramid {
 
     /// Bilinear radiance of a level in a direction.
     #[inline(always)]
-    fn bilinear(&self, level: u32, direction: Vec3) -> Vec3 {
+    fn bilinear<S: Scalar>(&self, level: u32, direction: Vector<S>) -> Vector<S> {
         let size = self.base >> level;
         let (first, u, v) = mip_taps(size, direction);
         let first = level_offset(self.base, size) as usize + first;
         let below = first + size as usize + 2;
-        let t = &self.texels;
-        t[first] * ((1.0 - u) * (1.0 - v))
-            + t[first + 1] * (u * (1.0 - v))
-            + t[below] * ((1.0 - u) * v)
-            + t[below + 1] * (u * v)
+        let one = S::from(1.0);
+        let texel = |i: usize| Vector::splat(self.texels[i].to_array());
+        texel(first).scale((one - u) * (one - v))
+            + texel(first + 1).scale(u * (one - v))
+            + texel(below).scale((one - u) * v)
+            + texel(below + 1).scale(u * v)
     }
 
     /// Trilinear radiance at a level in [0, top], in a direction that need not be unit.
     #[inline(always)]
-    pub(super) fn radiance(&self, direction: Vec3, level: f32) -> Vec3 {
-        let fine = (level as u32).min(self.top);
-        let fraction = level - fine as f32;
+    pub(super) fn radiance<S: Scalar>(&self, direction: Vector<S>, level: S) -> Vector<S> {
+        let fine = (level.whole() as u32).min(self.top);
+        let fraction = level - S::from(fine as f32);
         let value = self.bilinear(fine, direction);
-        if fraction <= 0.0 || fine == self.top {
+        if fraction <= S::from(0.0) || fine == self.top {
             return value;
         }
-        value * (1.0 - fraction) + self.bilinear(fine + 1, direction) * fraction
+        let coarse = self.bilinear(fine + 1, direction);
+        value.scale(S::from(1.0) - fraction) + coarse.scale(fraction)
     }
 }

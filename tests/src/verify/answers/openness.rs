@@ -87,16 +87,16 @@ fn wall(_: OwnModel, quantity: Quantity) -> Option<Vec<Setting>> {
     turned(quantity, vec![mesh], DVec3::ZERO, DVec3::Y, 1.0 - occluded)
 }
 
-/// Far enough above the ground for what the bias of its map moves it; the lowest degree that the ground
-/// does not fill counts about 0.01.
+/// Far enough above the ground for what the bias of its map moves it; the lowest two degrees, which the
+/// ground does not fill, count about 0.01.
 fn half_space(_: OwnModel, quantity: Quantity) -> Option<Vec<Setting>> {
     let tilt = 50_f64.to_radians();
     let normal = DVec3::new(tilt.sin(), tilt.cos(), 0.0);
     let openness = openness_beside_half_space(tilt.cos());
     turned(
         quantity,
-        vec![shapes::quad(20.0, 20.0)],
-        DVec3::new(0.0, 0.2, 0.0),
+        vec![shapes::quad(12.0, 12.0)],
+        DVec3::new(0.0, 0.25, 0.0),
         normal,
         openness,
     )

@@ -3,7 +3,7 @@
 use super::{Broken, Outcome, Rule, Where, same_bits};
 use crate::verify::{Lighting, Nothing, Rig, Subject, World};
 use glam::Vec3;
-use interreflect_cpu::tiles::{CpuCx, InstructionSet};
+use interreflect_cpu::tiles::{Arithmetic, CpuCx, InstructionSet};
 use interreflect_estimators::Quantity;
 use interreflect_scene::params::Choice;
 use interreflect_scene::{Estimate, Point, Points, Scene};
@@ -37,7 +37,7 @@ pub(super) fn all() -> [Rule; 6] {
         ),
         in_scene(
             "threads_and_instructions",
-            "the same bits on any number of threads and any instruction set",
+            "the same bits on any number of threads, any instruction set, and one point at a time",
             threads_and_instructions,
         ),
         in_world(
@@ -123,6 +123,16 @@ fn threads_and_instructions(subject: &Subject<'_>, scene: &Scene, points: &Point
             let what = format!("{threads} threads, {name}");
             compare(&mut broken, &first[0], again[0].iter(), &what);
         }
+    }
+    if let Rig::Cpu(cx) = subject.rig {
+        let scalar = cx.with_arithmetic(Arithmetic::Scalar);
+        let of = Subject {
+            rig: Rig::Cpu(&scalar),
+            case: None,
+            ..*subject
+        };
+        let again = of.estimates(scene, lists)?;
+        compare(&mut broken, &first[0], again[0].iter(), "one at a time");
     }
     Ok(broken)
 }

@@ -5,7 +5,7 @@ pub(super) const TWINS: &[Twin] = &[twin!(
     "classic_envmap",
     "phong_exponent",
     "outputs[id.x] = vec4f(phong_exponent(a[0]), 0.0, 0.0, 0.0);",
-    in_f64!(|a| vec![f64::from(classic::phong_exponent(a[0] as f32))]),
+    over_lanes!(|a| vec![classic::phong_exponent(a[0])]),
     || spread(1, 0.0, 1e5),
     ulps(1, 0.0, "one product")
 )];

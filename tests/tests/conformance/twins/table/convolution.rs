@@ -39,7 +39,7 @@ pub(super) const TWINS: &[Twin] = &[
         "map_taps",
         "let taps = map_taps(u32(a[0]), vec3f(a[1], a[2], a[3]));\n\
          outputs[id.x] = vec4f(f32(taps.base), f32(taps.side), taps.u, taps.v);",
-        in_f64!(map_taps),
+        over_scalars!(map_taps),
         || {
             let mut inputs = spread(4, -1.0, 1.0);
             for (i, a) in inputs.iter_mut().enumerate() {
@@ -55,11 +55,10 @@ pub(super) const TWINS: &[Twin] = &[
     ),
 ];
 
-fn map_taps(a: &[f64; ARGUMENTS]) -> Vec<f64> {
-    let direction = glam::DVec3::new(a[1], a[2], a[3]).as_vec3();
-    let taps = convolution::map_taps(a[0] as u32, direction);
+fn map_taps<S: Scalar>(a: &[S; ARGUMENTS]) -> Vec<S> {
+    let taps = convolution::map_taps(a[0].whole() as u32, vector(a, 1));
     // The weights are products of u, v and their complements.
     let (u, v) = (taps[1].1 + taps[3].1, taps[2].1 + taps[3].1);
     let side = taps[2].0 - taps[0].0;
-    vec![taps[0].0 as f64, side as f64, f64::from(u), f64::from(v)]
+    vec![S::from(taps[0].0 as f32), S::from(side as f32), u, v]
 }

@@ -13,9 +13,9 @@ mod sh_mip_envmap;
 mod shared;
 mod texels;
 
-use super::{ARGUMENTS, Call, Twin};
+use super::{ARGUMENTS, Call, Calls, Twin};
 use interreflect_conformance::tolerance::Tolerance;
-use interreflect_cpu::lane::{Lane, Vector};
+use interreflect_cpu::lane::{Lane, Scalar, Vector, Wide};
 
 type Input = [f32; ARGUMENTS];
 
@@ -56,13 +56,37 @@ macro_rules! over_lanes {
             let function: Call<L> = $function;
             function(a)
         }
-        (call::<f64> as Call<f64>, Some(call::<f32> as Call<f32>))
+        Calls {
+            f64: call::<f64>,
+            f32: Some(call::<f32>),
+            lanes: Some(call::<Wide>),
+        }
     }};
 }
 
+/// Of functions that look into a table, lane by lane.
+macro_rules! over_scalars {
+    ($function:expr) => {{
+        fn call<S: Scalar>(a: &[S; ARGUMENTS]) -> Vec<S> {
+            let function: Call<S> = $function;
+            function(a)
+        }
+        Calls {
+            f64: call::<f64>,
+            f32: Some(call::<f32>),
+            lanes: None,
+        }
+    }};
+}
+
+/// Of functions of whole numbers.
 macro_rules! in_f64 {
     ($function:expr) => {
-        ($function as Call<f64>, None::<Call<f32>>)
+        Calls {
+            f64: $function,
+            f32: None,
+            lanes: None,
+        }
     };
 }
 
@@ -72,15 +96,14 @@ macro_rules! twin {
             method: $method,
             name: $name,
             wgsl: $wgsl,
-            f64: $calls.0,
-            f32: $calls.1,
+            calls: $calls,
             inputs: $inputs,
             tolerance: $tolerance,
         }
     };
 }
 
-use {in_f64, over_lanes, twin};
+use {in_f64, over_lanes, over_scalars, twin};
 
 /// Every function with a table, method by method.
 pub(super) fn twins() -> impl Iterator<Item = &'static Twin> {

@@ -46,10 +46,9 @@ pub(super) const TWINS: &[Twin] = &[
         "mip_taps",
         "let taps = mip_taps(u32(a[0]), vec3f(a[1], a[2], a[3]));\n\
          outputs[id.x] = vec4f(f32(taps.first), taps.u, taps.v, 0.0);",
-        in_f64!(|a| {
-            let direction = glam::DVec3::new(a[1], a[2], a[3]).as_vec3();
-            let (first, u, v) = sh_mip::mip_taps(a[0] as u32, direction);
-            vec![first as f64, f64::from(u), f64::from(v)]
+        over_scalars!(|a| {
+            let (first, u, v) = sh_mip::mip_taps(a[0].whole() as u32, vector(a, 1));
+            vec![S::from(first as f32), u, v]
         }),
         || {
             let mut inputs = spread(4, -1.0, 1.0);
@@ -68,10 +67,7 @@ pub(super) const TWINS: &[Twin] = &[
         "sh_mip_envmap",
         "biased_level",
         "outputs[id.x] = vec4f(biased_level(a[0], a[1], a[2], a[3]), 0.0, 0.0, 0.0);",
-        in_f64!(|a| {
-            let a: Vec<f32> = a.iter().map(|v| *v as f32).collect();
-            vec![f64::from(sh_mip::biased_level(a[0], a[1], a[2], a[3]))]
-        }),
+        over_lanes!(|a| vec![sh_mip::biased_level(a[0], a[1], a[2], a[3])]),
         || grid(&[
             &[0.0, 1e-4, 0.01, 0.3, 3.0],
             &[8.0, 64.0],

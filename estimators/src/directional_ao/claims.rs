@@ -1,0 +1,44 @@
+//! What the method claims.
+
+use super::{DIRECTIONS, DirectionalAoParams};
+use crate::{Answers, Claim, Quantity};
+use interreflect_scene::params::Fidelity;
+use std::f64::consts::PI;
+
+pub(super) fn claims(params: &DirectionalAoParams, quantity: Quantity) -> Vec<Claim> {
+    let k = f64::from(DIRECTIONS[params.level as usize]);
+    // Largest error of an open point over its orientations, measured for each level of the octahedron.
+    let open = match params.fidelity {
+        Fidelity::Published => [0.16, 0.08, 0.055, 0.03, 0.022],
+        Fidelity::Corrected => [0.16, 0.08, 0.033, 0.01, 0.003],
+    }[params.level as usize];
+    let mut claims = vec![
+        Claim::NonNegative,
+        Claim::Bounded {
+            by: 1.0 + open,
+            cause: "how well the directions integrate a cosine",
+        },
+        Claim::ScaleInvariant,
+        Claim::TranslationInvariant,
+        Claim::Meets {
+            answers: Answers::Uniform,
+            within: open,
+            cause: "how well the directions integrate a cosine",
+        },
+    ];
+    match quantity {
+        Quantity::Irradiance => claims.push(Claim::Linear),
+        _ => claims.extend([
+            Claim::MonotoneInOccluders,
+            Claim::Meets {
+                answers: Answers::Openness,
+                // The border between open and occluded cuts about ½√(πk) of k cells, each of which
+                // counts 4/k at most and is wrong like a number cut evenly, 1/√12 of it. Twice for
+                // cells that lie alike, three times for the worst of thirty.
+                within: open + 6.0 * (4.0 / k) * (0.5 * (PI * k).sqrt()).sqrt() / 12f64.sqrt(),
+                cause: "directions along the border between open and occluded",
+            },
+        ]),
+    }
+    claims
+}
