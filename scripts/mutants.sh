@@ -56,10 +56,11 @@ places() {
 # why nothing can be said, and `seconds`.
 try() {
     local status=0 start=$SECONDS failed
-    local -a tests
+    local -a tests targets
     read -ra tests <<<"$1"
+    read -ra targets <<<"${1%% -- *}"
     : >"$2"
-    if ! bounded "$2" "${CARGO:-cargo}" test --quiet --no-run ${1%% -- *}; then
+    if ! bounded "$2" "${CARGO:-cargo}" test --quiet --no-run "${targets[@]}"; then
         outcome="ERROR: it does not compile"
     else
         bounded "$2" "${CARGO:-cargo}" test "${tests[@]}" || status=$?

@@ -12,6 +12,11 @@ impl<P, T> Default for Kept<P, T> {
 }
 
 impl<P: Clone + PartialEq, T> Kept<P, T> {
+    /// The tables of the last call.
+    pub(crate) fn made(&self) -> Option<&T> {
+        self.0.as_ref().map(|(_, tables)| tables)
+    }
+
     /// The tables for these parameters, made if there are none yet.
     pub(crate) fn tables(
         &mut self,

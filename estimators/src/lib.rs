@@ -15,6 +15,7 @@ mod lobes;
 mod method;
 mod model;
 mod quantity;
+mod records;
 mod registry;
 
 pub mod classic_envmap;
@@ -44,4 +45,5 @@ pub use error::{EstimatorError, Unsupported};
 pub use method::{Estimator, Info, Method};
 pub use model::OwnModel;
 pub use quantity::Quantity;
+pub use records::{Prepared, Records};
 pub use registry::{Configured, CpuOnly, Entry, Registry, Session, UnknownEstimator};

@@ -421,32 +421,3 @@ fn a_method_without_a_gpu_says_so() {
         ),
     }
 }
-
-/// `cargo test` builds the examples beside the program.
-#[test]
-fn an_estimator_from_outside_is_measured() {
-    let program = Path::new(env!("CARGO_BIN_EXE_interreflect"));
-    let example = program
-        .with_file_name("examples")
-        .join(format!("own_estimator{}", std::env::consts::EXE_SUFFIX));
-    assert!(
-        example.exists(),
-        "{} is missing; `cargo build --examples` makes it",
-        example.display()
-    );
-    let line = "bench studio --estimator hemisphere_ambient --points 64 --samples 32 \
-                --backend cpu --json";
-    let output = Command::new(example)
-        .args(line.split_whitespace())
-        .output()
-        .unwrap();
-    let complaint = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{complaint}");
-    let results: Value = serde_json::from_slice(&output.stdout).unwrap();
-    let runs = results["runs"].as_array().unwrap();
-    assert_eq!(runs.len(), 1, "{results}");
-    assert_eq!(runs[0]["estimator"], "hemisphere_ambient");
-    assert_eq!(runs[0]["scene"], "studio");
-    assert_eq!(runs[0]["quantity"], "irradiance");
-    assert!(runs[0]["truth"]["relmse"].is_number(), "{results}");
-}

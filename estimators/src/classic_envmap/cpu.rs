@@ -5,7 +5,7 @@ use super::{ClassicEnvmap, ClassicEnvmapParams};
 use crate::convolution::cpu::{Convolved, Maps};
 use crate::lobes::lobes;
 use crate::reflection::math::mirrored;
-use crate::{Cpu, Estimator, EstimatorError, Inputs, Quantity};
+use crate::{Cpu, Estimator, EstimatorError, Inputs, Prepared, Quantity, Records};
 use interreflect_cpu::lane::Lane;
 use interreflect_cpu::tiles::{CpuCx, PointLanes, TileKernel};
 use interreflect_scene::{Estimate, PointLayout};
@@ -14,6 +14,12 @@ use std::f64::consts::FRAC_1_PI;
 /// The convolved maps, kept across frames.
 #[derive(Default)]
 pub struct State(Convolved);
+
+impl Prepared<Cpu> for State {
+    fn records(&self, _caps: &()) -> Result<Vec<Records>, EstimatorError> {
+        Ok(self.0.records())
+    }
+}
 
 impl Estimator<Cpu> for ClassicEnvmap {
     type State = State;

@@ -4,8 +4,10 @@ use super::math::phong_exponent;
 use super::{ClassicEnvmap, ClassicEnvmapParams};
 use crate::convolution::gpu as convolution;
 use crate::lobes::{MAX_LOBES, lobes};
-use crate::{Estimator, EstimatorError, Gpu, Inputs, LOBE_POWER, Quantity, reflection};
-use interreflect_gpu::{GpuCx, GpuEstimate, Kernel, Shader, wgsl};
+use crate::{
+    Estimator, EstimatorError, Gpu, Inputs, LOBE_POWER, Prepared, Quantity, Records, reflection,
+};
+use interreflect_gpu::{GpuContext, GpuCx, GpuEstimate, Kernel, Shader, wgsl};
 
 const SHADE: Shader = Shader {
     label: "classic_envmap shade",
@@ -49,6 +51,12 @@ impl Shade {
         };
         shade.exponents[..exponents.len()].copy_from_slice(exponents);
         shade
+    }
+}
+
+impl Prepared<Gpu> for State {
+    fn records(&self, context: &GpuContext) -> Result<Vec<Records>, EstimatorError> {
+        self.convolved.records(context)
     }
 }
 

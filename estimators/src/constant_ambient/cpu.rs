@@ -4,7 +4,7 @@ use super::math::{ambient_irradiance, ambient_reflection};
 use super::{ConstantAmbient, ConstantAmbientParams};
 use crate::averaging::{face_solid_angles_sr, mean_radiance};
 use crate::kept::Kept;
-use crate::{Cpu, Estimator, EstimatorError, Inputs, Quantity};
+use crate::{Cpu, Estimator, EstimatorError, Inputs, Prepared, Quantity, Records};
 use glam::Vec3;
 use interreflect_cpu::lane::Lane;
 use interreflect_cpu::tiles::{CpuCx, PointLanes, TileKernel};
@@ -16,6 +16,14 @@ use interreflect_scene::{Estimate, PointLayout};
 pub struct State {
     omegas_sr: Kept<ConstantAmbientParams, Vec<f32>>,
     radiance: Option<Vec3>,
+}
+
+impl Prepared<Cpu> for State {
+    fn records(&self, _caps: &()) -> Result<Vec<Records>, EstimatorError> {
+        let radiance = self.radiance.iter();
+        let record = |rgb: &Vec3| Records::host("mean", &[rgb.extend(0.0).to_array()]);
+        Ok(radiance.map(record).collect())
+    }
 }
 
 impl Estimator<Cpu> for ConstantAmbient {

@@ -3,8 +3,8 @@
 use super::{ConstantAmbient, ConstantAmbientParams};
 use crate::averaging::face_solid_angles_sr;
 use crate::kept::Kept;
-use crate::{Estimator, EstimatorError, Gpu, Inputs, Quantity};
-use interreflect_gpu::{GpuCx, GpuEstimate, Kernel, Shader, wgsl};
+use crate::{Estimator, EstimatorError, Gpu, Inputs, Prepared, Quantity, Records};
+use interreflect_gpu::{GpuContext, GpuCx, GpuEstimate, Kernel, Shader, wgsl};
 
 const AVERAGE: Shader = Shader {
     label: "constant_ambient average",
@@ -21,11 +21,20 @@ const SHADE: Shader = Shader {
     ],
 };
 
-/// The texels' solid angles and the kernel with its bindings, kept across frames.
+/// The texels' solid angles, the mean radiance and the kernel with its bindings, kept across frames.
 #[derive(Default)]
 pub struct State {
     omegas_sr: Kept<ConstantAmbientParams, wgpu::Buffer>,
+    mean: Option<wgpu::Buffer>,
     shade: Option<Kernel>,
+}
+
+impl Prepared<Gpu> for State {
+    fn records(&self, context: &GpuContext) -> Result<Vec<Records>, EstimatorError> {
+        let mean = self.mean.iter();
+        mean.map(|mean| Records::device::<[f32; 4]>("mean", context, mean))
+            .collect()
+    }
 }
 
 impl Estimator<Gpu> for ConstantAmbient {
@@ -61,6 +70,7 @@ impl Estimator<Gpu> for ConstantAmbient {
             _ => "irradiance",
         };
         state.shade = Some(context.kernel(&SHADE, entry, &bindings)?);
+        state.mean = Some(mean);
         Ok(())
     }
 

@@ -5,7 +5,7 @@ use super::math::{cosine_weight, map_nodes, map_taps, phong_weight};
 use super::sources::{Source, light, node_points, vectors_sr};
 use crate::averaging::face_solid_angles_sr;
 use crate::kept::Kept;
-use crate::{Changed, Cpu, EstimatorError, Inputs};
+use crate::{Changed, Cpu, EstimatorError, Inputs, Records};
 use glam::Vec3;
 use interreflect_cpu::lane::{Lane, Scalar, Vector};
 use interreflect_cpu::tiles::{Arithmetic, CpuCx, PointLanes, TileKernel};
@@ -89,6 +89,18 @@ impl Convolved {
             lobes: exponents.into_iter().map(lobe).collect(),
         });
         Ok(())
+    }
+
+    /// All maps, the irradiance first, as the GPU has them.
+    pub(crate) fn records(&self) -> Vec<Records> {
+        let all = |maps: &Maps| {
+            let lobes = maps.lobes.iter().map(|(_, map)| map);
+            let nodes = std::iter::once(&maps.irradiance)
+                .chain(lobes)
+                .flat_map(|map| map.nodes.iter().map(|rgb| rgb.extend(0.0).to_array()));
+            Records::host("maps", &nodes.collect::<Vec<_>>())
+        };
+        self.maps.iter().map(all).collect()
     }
 
     /// The maps of the last update.

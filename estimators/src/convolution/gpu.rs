@@ -5,7 +5,7 @@ use super::math::{map_nodes, node_direction};
 use super::sources::vectors_sr;
 use crate::averaging::{AVERAGE, Target, face_solid_angles_sr, record_average};
 use crate::kept::Kept;
-use crate::{Changed, EstimatorError, Gpu, Inputs, LOBE_POWER};
+use crate::{Changed, EstimatorError, Gpu, Inputs, LOBE_POWER, Records};
 use interreflect_gpu::{GpuContext, GpuCx, Shader, wgsl};
 
 /// Twins of math.rs; needs [`wgsl::CUBE`] and [`LOBE_POWER`].
@@ -82,6 +82,13 @@ impl Convolved {
     /// The Phong exponents that there are maps for.
     pub(crate) fn exponents(&self) -> &[f32] {
         &self.exponents
+    }
+
+    /// All maps, the irradiance first.
+    pub(crate) fn records(&self, context: &GpuContext) -> Result<Vec<Records>, EstimatorError> {
+        let maps = self.maps.iter();
+        maps.map(|maps| Records::device::<[f32; 4]>("maps", context, maps))
+            .collect()
     }
 
     /// Records the convolution of the declared capture with the cosine and with a Phong lobe of

@@ -4,7 +4,7 @@ use super::math::{omega_corrected, omega_published, towards_photon};
 use super::samples::{Highlight, Photon, photons};
 use super::{DirectRadianceMap, DirectRadianceMapParams, Formula};
 use crate::texels::math::{cos_half, lobe_normalisation, normalised_reflectivity};
-use crate::{Changed, Cpu, Estimator, EstimatorError, Inputs, Quantity};
+use crate::{Changed, Cpu, Estimator, EstimatorError, Inputs, Prepared, Quantity, Records};
 use interreflect_cpu::lane::{Lane, Vector};
 use interreflect_cpu::tiles::{CpuCx, PointLanes, TileKernel};
 use interreflect_scene::{Estimate, PointLayout, Points};
@@ -14,6 +14,18 @@ use std::f64::consts::FRAC_1_PI;
 #[derive(Default)]
 pub struct State {
     photons: Option<(Vec<Photon>, Vec<Highlight>)>,
+}
+
+impl Prepared<Cpu> for State {
+    fn records(&self, _caps: &()) -> Result<Vec<Records>, EstimatorError> {
+        let Some((photons, highlights)) = &self.photons else {
+            return Ok(Vec::new());
+        };
+        Ok(vec![
+            Records::host("photons", photons),
+            Records::host("highlights", highlights),
+        ])
+    }
 }
 
 impl Estimator<Cpu> for DirectRadianceMap {

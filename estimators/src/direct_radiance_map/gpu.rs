@@ -3,7 +3,9 @@
 use super::samples::{Highlight, Photon, samples};
 use super::{DirectRadianceMap, DirectRadianceMapParams, Formula};
 use crate::texels::gpu::LEAVES as TEXEL_LEAVES;
-use crate::{Changed, Estimator, EstimatorError, Gpu, Inputs, LOBE_POWER, Quantity};
+use crate::{
+    Changed, Estimator, EstimatorError, Gpu, Inputs, LOBE_POWER, Prepared, Quantity, Records,
+};
 use bytemuck::{Pod, Zeroable};
 use interreflect_gpu::{GpuContext, GpuCx, GpuEstimate, GpuLightView, Kernel, Shader, wgsl};
 
@@ -144,6 +146,18 @@ impl GpuPhotons {
     }
 }
 
+impl Prepared<Gpu> for State {
+    fn records(&self, context: &GpuContext) -> Result<Vec<Records>, EstimatorError> {
+        let Some(made) = &self.photons else {
+            return Ok(Vec::new());
+        };
+        let photons = Records::device::<Photon>("photons", context, &made.photons)?;
+        let highlights = Records::device::<Highlight>("highlights", context, &made.highlights)?;
+        // A sample that meets no surface is left as it was made.
+        Ok([photons, highlights].map(Records::without_zeros).into())
+    }
+}
+
 impl Estimator<Gpu> for DirectRadianceMap {
     type State = State;
 
@@ -225,7 +239,9 @@ fn photon_buffer(context: &GpuContext, count: usize) -> Result<wgpu::Buffer, Est
     let descriptor = wgpu::BufferDescriptor {
         label: Some("photons"),
         size: (count.max(UNIFORM_PHOTONS) * size_of::<Photon>()) as u64,
-        usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::UNIFORM,
+        usage: wgpu::BufferUsages::STORAGE
+            | wgpu::BufferUsages::UNIFORM
+            | wgpu::BufferUsages::COPY_SRC,
         mapped_at_creation: false,
     };
     let made = context.checked("photons", || context.device().create_buffer(&descriptor));

@@ -8,7 +8,7 @@ use crate::lobes::lobes;
 use crate::texels::gather::{Cosines, TexelLight, gather};
 use crate::texels::math::{lobe_normalisation, normalised_reflectivity};
 use crate::texels::{Texel, average};
-use crate::{Changed, Cpu, Estimator, EstimatorError, Inputs, Quantity};
+use crate::{Changed, Cpu, Estimator, EstimatorError, Inputs, Prepared, Quantity, Records};
 use interreflect_cpu::lane::{Lane, Vector};
 use interreflect_cpu::tiles::CpuCx;
 use interreflect_scene::Estimate;
@@ -21,6 +21,13 @@ pub struct State {
     averaging: Kept<LocalizedCubemapParams, average::Tables>,
     texels: Option<Vec<Texel>>,
     reflectivity: Option<Tables>,
+}
+
+impl Prepared<Cpu> for State {
+    fn records(&self, _caps: &()) -> Result<Vec<Records>, EstimatorError> {
+        let texels = self.texels.iter();
+        Ok(texels.map(|t| Records::host("texels", t)).collect())
+    }
 }
 
 impl Estimator<Cpu> for LocalizedCubemap {

@@ -5,7 +5,7 @@ use super::{LocalizedCubemap, LocalizedCubemapParams, Reflectivity};
 use crate::kept::Kept;
 use crate::lobes::{MAX_LOBES, lobes};
 use crate::texels::gpu::{AVERAGE, GpuTables, STORAGE, UNIFORM, gather_kernel, gather_parts};
-use crate::{Changed, Estimator, EstimatorError, Gpu, Inputs, Quantity};
+use crate::{Changed, Estimator, EstimatorError, Gpu, Inputs, Prepared, Quantity, Records};
 use interreflect_gpu::{GpuContext, GpuCx, GpuEstimate, Kernel, Shader};
 use interreflect_scene::params::Fidelity;
 
@@ -61,6 +61,14 @@ impl GpuReflectivity {
             lobes: context.uniform("localized_cubemap lobes", &lobes)?,
             tables: context.storage("localized_cubemap reflectivity", &tables.values)?,
         })
+    }
+}
+
+impl Prepared<Gpu> for State {
+    fn records(&self, context: &GpuContext) -> Result<Vec<Records>, EstimatorError> {
+        let made = self.averaging.made().zip(self.texels.as_ref());
+        let read = |(tables, texels): (&GpuTables, _)| tables.records(context, texels);
+        made.into_iter().map(read).collect()
     }
 }
 

@@ -4,7 +4,7 @@ use super::{PhongEnvmap, PhongEnvmapParams};
 use crate::convolution::cpu::{Convolved, Maps};
 use crate::reflection::Lobes;
 use crate::reflection::math::{fresnel_mix, mirrored, schlick};
-use crate::{Cpu, Estimator, EstimatorError, Inputs, Quantity};
+use crate::{Cpu, Estimator, EstimatorError, Inputs, Prepared, Quantity, Records};
 use interreflect_cpu::lane::{Lane, Vector};
 use interreflect_cpu::tiles::{CpuCx, PointLanes, TileKernel};
 use interreflect_scene::{Estimate, PointLayout};
@@ -14,6 +14,12 @@ use interreflect_scene::{Estimate, PointLayout};
 pub struct State {
     convolved: Convolved,
     lobes: Lobes,
+}
+
+impl Prepared<Cpu> for State {
+    fn records(&self, _caps: &()) -> Result<Vec<Records>, EstimatorError> {
+        Ok(self.convolved.records())
+    }
 }
 
 impl Estimator<Cpu> for PhongEnvmap {

@@ -3,8 +3,8 @@
 use super::{PhongEnvmap, PhongEnvmapParams};
 use crate::convolution::gpu as convolution;
 use crate::reflection::{self, Lobes};
-use crate::{Estimator, EstimatorError, Gpu, Inputs, LOBE_POWER, Quantity};
-use interreflect_gpu::{GpuCx, GpuEstimate, Kernel, Shader, wgsl};
+use crate::{Estimator, EstimatorError, Gpu, Inputs, LOBE_POWER, Prepared, Quantity, Records};
+use interreflect_gpu::{GpuContext, GpuCx, GpuEstimate, Kernel, Shader, wgsl};
 
 const SHADE: Shader = Shader {
     label: "phong_envmap shade",
@@ -34,6 +34,12 @@ pub struct State {
 struct Shade {
     cells: u32,
     f_lambda: f32,
+}
+
+impl Prepared<Gpu> for State {
+    fn records(&self, context: &GpuContext) -> Result<Vec<Records>, EstimatorError> {
+        self.convolved.records(context)
+    }
 }
 
 impl Estimator<Gpu> for PhongEnvmap {

@@ -6,7 +6,7 @@ use crate::kept::Kept;
 use crate::texels::gather::{Cosines, TexelLight, gather};
 use crate::texels::math::{lobe_normalisation, normalised_reflectivity};
 use crate::texels::{Texel, average};
-use crate::{Changed, Cpu, Estimator, EstimatorError, Inputs, Quantity};
+use crate::{Changed, Cpu, Estimator, EstimatorError, Inputs, Prepared, Quantity, Records};
 use interreflect_cpu::lane::{Lane, Vector};
 use interreflect_cpu::tiles::CpuCx;
 use interreflect_scene::Estimate;
@@ -16,6 +16,13 @@ use interreflect_scene::Estimate;
 pub struct State {
     averaging: Kept<PointFormFactorParams, average::Tables>,
     texels: Option<Vec<Texel>>,
+}
+
+impl Prepared<Cpu> for State {
+    fn records(&self, _caps: &()) -> Result<Vec<Records>, EstimatorError> {
+        let texels = self.texels.iter();
+        Ok(texels.map(|t| Records::host("texels", t)).collect())
+    }
 }
 
 impl Estimator<Cpu> for PointFormFactor {

@@ -3,8 +3,8 @@
 use super::{PointFormFactor, PointFormFactorParams};
 use crate::kept::Kept;
 use crate::texels::gpu::{AVERAGE, GpuTables, STORAGE, UNIFORM, gather_kernel, gather_parts};
-use crate::{Changed, Estimator, EstimatorError, Gpu, Inputs, Quantity};
-use interreflect_gpu::{GpuCx, GpuEstimate, Kernel, Shader};
+use crate::{Changed, Estimator, EstimatorError, Gpu, Inputs, Prepared, Quantity, Records};
+use interreflect_gpu::{GpuContext, GpuCx, GpuEstimate, Kernel, Shader};
 
 const LEAVES: &str = include_str!("math.wgsl");
 const LIGHT: &str = include_str!("light.wgsl");
@@ -26,6 +26,14 @@ pub struct State {
     averaging: Kept<PointFormFactorParams, GpuTables>,
     texels: Option<wgpu::Buffer>,
     shade: Option<Kernel>,
+}
+
+impl Prepared<Gpu> for State {
+    fn records(&self, context: &GpuContext) -> Result<Vec<Records>, EstimatorError> {
+        let made = self.averaging.made().zip(self.texels.as_ref());
+        let read = |(tables, texels): (&GpuTables, _)| tables.records(context, texels);
+        made.into_iter().map(read).collect()
+    }
 }
 
 impl Estimator<Gpu> for PointFormFactor {

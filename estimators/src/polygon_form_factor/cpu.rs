@@ -7,7 +7,7 @@ use super::{Facing, PolygonFormFactor, PolygonFormFactorParams};
 use crate::fields::MAX_RESOLUTION;
 use crate::kept::Kept;
 use crate::texels::average;
-use crate::{Changed, Cpu, Estimator, EstimatorError, Inputs, Quantity};
+use crate::{Changed, Cpu, Estimator, EstimatorError, Inputs, Prepared, Quantity, Records};
 use interreflect_cpu::lane::{Lane, Vector};
 use interreflect_cpu::tiles::{CpuCx, PointLanes, TileKernel};
 use interreflect_scene::conventions::CUBE_FACES;
@@ -19,6 +19,20 @@ use interreflect_scene::{Estimate, PointLayout};
 pub struct State {
     tables: Kept<PolygonFormFactorParams, (average::Tables, Tables)>,
     quads: Option<Quads>,
+}
+
+impl Prepared<Cpu> for State {
+    fn records(&self, _caps: &()) -> Result<Vec<Records>, EstimatorError> {
+        let Some(quads) = &self.quads else {
+            return Ok(Vec::new());
+        };
+        let with_pad = |[r, g, b]: &[f32; 3]| [*r, *g, *b, 0.0];
+        let radiances: Vec<[f32; 4]> = quads.radiances.iter().map(with_pad).collect();
+        Ok(vec![
+            Records::host("corners", &quads.corners),
+            Records::host("radiances", &radiances),
+        ])
+    }
 }
 
 impl Estimator<Cpu> for PolygonFormFactor {

@@ -4,7 +4,7 @@ use super::corners::{REUSED_EDGE, Tables};
 use super::{Corners, Facing, PolygonFormFactor, PolygonFormFactorParams, Radiance};
 use crate::kept::Kept;
 use crate::texels::gpu::{AVERAGE, GpuTables, SURFACE, TEXEL, place, views};
-use crate::{ANGLE, Changed, Estimator, EstimatorError, Gpu, Inputs, Quantity};
+use crate::{ANGLE, Changed, Estimator, EstimatorError, Gpu, Inputs, Prepared, Quantity, Records};
 use interreflect_gpu::{GpuContext, GpuCube, GpuCx, GpuEstimate, Kernel, Shader, wgsl};
 use interreflect_scene::conventions::CUBE_FACES;
 use interreflect_scene::params::Fidelity;
@@ -121,6 +121,17 @@ impl GpuCorners {
         corners.record(cx, [self.count.div_ceil(64), 1, 1]);
         radiances.record(cx, [count.div_ceil(64), 1, 1]);
         Ok(quads)
+    }
+}
+
+impl Prepared<Gpu> for State {
+    fn records(&self, context: &GpuContext) -> Result<Vec<Records>, EstimatorError> {
+        let Some(quads) = &self.quads else {
+            return Ok(Vec::new());
+        };
+        let buffers = [("corners", &quads.corners), ("radiances", &quads.radiances)];
+        let read = |(name, buffer)| Records::device::<[f32; 4]>(name, context, buffer);
+        buffers.into_iter().map(read).collect()
     }
 }
 

@@ -9,7 +9,7 @@ use crate::averaging::{averaged, face_solid_angles_sr};
 use crate::kept::Kept;
 use crate::reflection::Lobes;
 use crate::reflection::math::{fresnel_mix, mirrored, schlick};
-use crate::{Changed, Cpu, Estimator, EstimatorError, Inputs, Quantity};
+use crate::{Changed, Cpu, Estimator, EstimatorError, Inputs, Prepared, Quantity, Records};
 use glam::{DVec3, Vec3};
 use interreflect_cpu::lane::{Lane, Vector};
 use interreflect_cpu::tiles::{CpuCx, PointLanes, TileKernel};
@@ -59,6 +59,18 @@ impl Harmonics {
             }
         }
         sum
+    }
+}
+
+impl Prepared<Cpu> for State {
+    fn records(&self, _caps: &()) -> Result<Vec<Records>, EstimatorError> {
+        let padded = |rgb: &Vec3| rgb.extend(0.0).to_array();
+        let of = |name, values: &[Vec3]| {
+            Records::host(name, &values.iter().map(padded).collect::<Vec<_>>())
+        };
+        let harmonics = self.irradiance.iter().map(|h| of("coefficients", &h.0));
+        let pyramid = self.pyramid.iter().map(|p| of("pyramid", p.texels()));
+        Ok(harmonics.chain(pyramid).collect())
     }
 }
 

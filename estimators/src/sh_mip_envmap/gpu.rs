@@ -8,7 +8,7 @@ use super::{LodMode, ShMipEnvmap, ShMipEnvmapParams, check_levels};
 use crate::averaging::{AVERAGE, Target, face_solid_angles_sr, record_average};
 use crate::kept::Kept;
 use crate::reflection::{self, Lobes};
-use crate::{Changed, Estimator, EstimatorError, Gpu, Inputs, Quantity};
+use crate::{Changed, Estimator, EstimatorError, Gpu, Inputs, Prepared, Quantity, Records};
 use interreflect_gpu::{Binding, GpuContext, GpuCx, GpuEstimate, Kernel, Shader, wgsl};
 use interreflect_scene::conventions::CUBE_FACES;
 use pyramid::{PYRAMID, Pyramid};
@@ -119,6 +119,17 @@ impl Shade {
             bias: u32::from(params.lod_mode == LodMode::Bias),
             f_lambda: params.f_lambda,
         }
+    }
+}
+
+impl Prepared<Gpu> for State {
+    fn records(&self, context: &GpuContext) -> Result<Vec<Records>, EstimatorError> {
+        let harmonics = self.harmonics.made().filter(|_| self.built.harmonics);
+        let pyramid = self.pyramid.made().filter(|_| self.built.pyramid);
+        let harmonics = harmonics.map(|h| ("coefficients", &h.coefficients));
+        let pyramid = pyramid.map(|p| ("pyramid", &p.texels));
+        let read = |(name, buffer)| Records::device::<[f32; 4]>(name, context, buffer);
+        harmonics.into_iter().chain(pyramid).map(read).collect()
     }
 }
 

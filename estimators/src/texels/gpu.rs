@@ -2,7 +2,7 @@
 
 use super::Texel;
 use super::average::{Averaging, Tables};
-use crate::{EstimatorError, Gpu, Inputs, LOBE_POWER, Quantity};
+use crate::{EstimatorError, Gpu, Inputs, LOBE_POWER, Quantity, Records};
 use bytemuck::{Pod, Zeroable};
 use interreflect_gpu::{
     Binding, Constants, GpuContext, GpuCube, GpuCx, GpuEstimate, Kernel, Shader, wgsl,
@@ -102,6 +102,16 @@ impl GpuTables {
     /// Number of texels.
     pub(crate) fn count(&self) -> u32 {
         CUBE_FACES as u32 * self.resolution * self.resolution
+    }
+
+    /// The texels of a buffer that [`GpuTables::average`] returned, as the CPU has them.
+    pub(crate) fn records(
+        &self,
+        context: &GpuContext,
+        texels: &wgpu::Buffer,
+    ) -> Result<Records, EstimatorError> {
+        let records = Records::device::<Texel>("texels", context, texels)?;
+        Ok(records.first(self.count() as usize))
     }
 
     /// Records the averaging of a capture and returns the buffer of texels that it fills.

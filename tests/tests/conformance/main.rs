@@ -9,6 +9,7 @@ mod environment_maps;
 mod errata;
 mod form_factors;
 mod frames;
+mod ladder;
 mod moved;
 mod openness;
 mod parity;
@@ -37,6 +38,7 @@ fn main() {
         verify::trials(),
         costs::trials(),
         parity::trials(),
+        ladder::trials(),
         moved::trials(),
         frames::trials(),
         bounces::trials(),

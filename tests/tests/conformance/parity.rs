@@ -153,7 +153,7 @@ fn texels(captures: &Captures<Cpu>) -> usize {
     cubes.chain(views).sum()
 }
 
-fn upload(context: &GpuContext, from: &Captures<Cpu>) -> Result<Captures<Gpu>, Failed> {
+pub(crate) fn upload(context: &GpuContext, from: &Captures<Cpu>) -> Result<Captures<Gpu>, Failed> {
     let mut captures = Captures {
         environment: from.environment.clone(),
         ..Captures::default()
@@ -179,7 +179,10 @@ fn upload(context: &GpuContext, from: &Captures<Cpu>) -> Result<Captures<Gpu>, F
     Ok(captures)
 }
 
-fn download(context: &GpuContext, from: &Captures<Gpu>) -> Result<Captures<Cpu>, Failed> {
+pub(crate) fn download(
+    context: &GpuContext,
+    from: &Captures<Gpu>,
+) -> Result<Captures<Cpu>, Failed> {
     let mut captures = Captures {
         environment: from.environment.clone(),
         ..Captures::default()
@@ -202,7 +205,7 @@ const SEEN_DIFFERENTLY_SR: f64 = 0.03;
 
 /// Bound on what the captures' differences do to an irradiance: all radiance that is new, gone or
 /// from elsewhere, as if it arrived head-on from texels at half the distance.
-fn captures_apart(a: &Captures<Cpu>, b: &Captures<Cpu>) -> Result<f64, Failed> {
+pub(crate) fn captures_apart(a: &Captures<Cpu>, b: &Captures<Cpu>) -> Result<f64, Failed> {
     let mut bound = 0.0;
     for (spec, a) in &a.cubes {
         let b = b.cubes.get(spec).ok_or("a capture of one backend only")?;

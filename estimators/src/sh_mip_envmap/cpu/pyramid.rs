@@ -63,6 +63,11 @@ impl Pyramid {
         pyramid
     }
 
+    /// All levels with their borders, the finest first.
+    pub(super) fn texels(&self) -> &[Vec3] {
+        &self.texels
+    }
+
     /// Place of a stored texel of a level of `size`² texels: columns and rows count the border.
     fn place(&self, size: u32, face: usize, column: u32, row: u32) -> usize {
         level_offset(self.base, size) as usize + texel_index(size + 2, face, column, row)

@@ -2,6 +2,7 @@
 
 use super::{Answer, Reduce, Setting, facing, orientations, scene};
 use crate::oracles::form_factors::furnace_radiance;
+use crate::oracles::skies::{hemispherical_sky, linear_sky, quadratic_sky};
 use crate::verify::world::sky;
 use glam::{DVec3, Vec3};
 use interreflect_estimators::{Answers, OwnModel, Quantity};
@@ -61,7 +62,7 @@ pub(super) fn all() -> Vec<Answer> {
             "a sky of radiance 1 + b·(d·m) gives π(1 + ⅔b·(n·m))",
             Answers::Smooth,
             |model, quantity| {
-                let exact = |n: DVec3| PI * (1.0 + 2.0 / 3.0 * SLOPE * n.dot(AXIS));
+                let exact = |n: DVec3| linear_sky(1.0, SLOPE, n.dot(AXIS));
                 under(model, quantity, |d| 1.0 + SLOPE * d.dot(AXIS), exact)
             },
         ),
@@ -70,7 +71,7 @@ pub(super) fn all() -> Vec<Answer> {
             "a sky of radiance (d·m)² gives π/4·(1 + (n·m)²)",
             Answers::Smooth,
             |model, quantity| {
-                let exact = |n: DVec3| 0.25 * PI * (1.0 + n.dot(AXIS).powi(2));
+                let exact = |n: DVec3| quadratic_sky(n.dot(AXIS));
                 under(model, quantity, |d| d.dot(AXIS).powi(2), exact)
             },
         ),
@@ -83,7 +84,7 @@ pub(super) fn all() -> Vec<Answer> {
                     model,
                     quantity,
                     |d| f64::from(u8::from(d.y > 0.0)),
-                    |n| 0.5 * PI * (1.0 + n.y),
+                    |n| hemispherical_sky(n.y),
                 )
             },
         ),

@@ -60,9 +60,20 @@ pub(super) const TWINS: &[Twin] = &[
     ),
 ];
 
-/// Photons and points all over a room, and a point at the very place of a photon.
+/// Photons and points all over a room, points a few roundings from a photon, points far away, and one
+/// at the very place of a photon.
 fn places() -> Vec<Input> {
     let mut inputs = spread(6, -1.0, 1.0);
+    for (i, mut a) in inputs.clone().into_iter().enumerate().step_by(10) {
+        for k in 0..3 {
+            // The difference of two neighbours is exact.
+            a[3 + k] = match i % 20 {
+                0 => a[k] * (1.0 + 4e-7 * k as f32),
+                _ => 1e5 * a[3 + k],
+            };
+        }
+        inputs.push(a);
+    }
     inputs.push([0.5; ARGUMENTS]);
     inputs
 }
@@ -70,8 +81,8 @@ fn places() -> Vec<Input> {
 /// Areas, squared distances and cosines.
 fn discs() -> Vec<Input> {
     grid(&[
-        &[0.0, 1e-4, 0.3, 3.0],
-        &[0.0, 1e-12, 1e-3, 1.0, 1e4],
-        &[-1.0, 0.0, 1e-6, 0.5, 1.0],
+        &[0.0, 1e-7, 1e-4, 0.3, 3.0],
+        &[0.0, 1e-30, 1e-12, 1e-3, 1.0, 1e4, 1e12],
+        &[-1.0, -1e-6, 0.0, 1e-6, 1e-3, 0.5, 1.0],
     ])
 }

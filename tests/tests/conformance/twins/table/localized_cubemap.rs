@@ -8,8 +8,8 @@ pub(super) const TWINS: &[Twin] = &[
         "outputs[id.x] = vec4f(omega_published(a[0], a[1]), 0.0, 0.0, 0.0);",
         over_lanes!(|a| vec![localized::omega_published(a[0], a[1])]),
         || grid(&[
-            &[1e-4, 0.01, 0.3, 0.9, 1.8],
-            &[0.0, 1e-12, 1e-3, 0.5, 1.0, 4.0, 1e4]
+            &[1e-7, 1e-4, 0.01, 0.3, 0.9, 1.8],
+            &[0.0, 1e-30, 1e-12, 1e-3, 0.5, 1.0, 4.0, 1e4, 1e12]
         ]),
         ulps(
             8,
@@ -23,9 +23,9 @@ pub(super) const TWINS: &[Twin] = &[
         "outputs[id.x] = vec4f(omega_corrected(a[0], a[1], a[2]), 0.0, 0.0, 0.0);",
         over_lanes!(|a| vec![localized::omega_corrected(a[0], a[1], a[2])]),
         || grid(&[
-            &[1e-4, 0.3, 3.0],
-            &[0.0, 1e-12, 1e-3, 1.0, 1e4],
-            &[-1.0, 0.0, 1e-6, 0.5, 1.0]
+            &[1e-7, 1e-4, 0.3, 3.0],
+            &[0.0, 1e-30, 1e-12, 1e-3, 1.0, 1e4, 1e12],
+            &[-1.0, -1e-6, 0.0, 1e-6, 1e-3, 0.5, 1.0]
         ]),
         ulps(6, 0.0, "a division, products and a sum of positive numbers")
     ),

@@ -80,12 +80,24 @@ pub(super) const TWINS: &[Twin] = &[
     ),
 ];
 
-/// Edges whose ends lie apart, seen by a unit normal; and one without a length.
+/// Edges whose ends lie apart, short ones, one end far away, and ones that pass at a tenth of a unit,
+/// seen by a unit normal; and one without a length. Nearer edges lose accuracy in proportion: the
+/// direction of c has the rounding of |a|·|b|/|c|.
 fn edges() -> Vec<Input> {
     let mut inputs = spread(9, -1.0, 1.0);
     for a in &mut inputs {
         a[2] += 2.0;
         unit(a, 6);
+    }
+    for (i, mut a) in inputs.clone().into_iter().enumerate().step_by(5) {
+        for k in 0..3 {
+            a[3 + k] = match i % 15 {
+                0 => a[k] + 1e-4 * (a[3 + k] - a[k]),
+                5 => 1e4 * a[3 + k],
+                _ => 0.1 * a[6 + k] - a[k],
+            };
+        }
+        inputs.push(a);
     }
     let mut point = inputs[0];
     for k in 0..3 {
@@ -110,7 +122,29 @@ fn quads() -> Vec<Input> {
         (a[12], a[13], a[14]) = (b[4], b[5], b[6]);
         unit(a, 12);
     }
+    inputs.extend(at_the_horizon());
     inputs
+}
+
+/// A square whose edge, whose corner or whose diagonal lies in the horizon, to a rounding.
+fn at_the_horizon() -> Vec<Input> {
+    let square = [
+        -0.4, -0.4, 1.0, -0.4, 0.4, 1.0, 0.4, 0.4, 1.0, 0.4, -0.4, 1.0,
+    ];
+    let normals = [
+        [1.0, 0.0, 0.4],
+        [1.0, 1.0, 0.8],
+        [1.0, -1.0, 0.0],
+        [1.0, 0.0, -0.4],
+    ];
+    let seen_by = |normal: [f32; 3]| {
+        let mut a = [0.0; ARGUMENTS];
+        a[..12].copy_from_slice(&square);
+        a[12..15].copy_from_slice(&normal);
+        unit(&mut a, 12);
+        a
+    };
+    normals.map(seen_by).into()
 }
 
 fn unit(a: &mut Input, first: usize) {

@@ -1,0 +1,66 @@
+//! A look at what a session has prepared, for those who compare backends record by record.
+
+use crate::backend::Backend;
+use crate::error::EstimatorError;
+use bytemuck::Pod;
+use interreflect_gpu::GpuContext;
+
+/// Numbers of one kind that `prepare` made, laid out as shaders read them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Records {
+    /// What they are.
+    pub name: &'static str,
+    /// How many make one record.
+    pub width: usize,
+    /// Record after record.
+    pub values: Vec<f32>,
+}
+
+impl Records {
+    /// Records that lie on the host.
+    pub(crate) fn host<T: Pod>(name: &'static str, records: &[T]) -> Self {
+        Self {
+            name,
+            width: size_of::<T>() / size_of::<f32>(),
+            values: bytemuck::cast_slice(records).to_vec(),
+        }
+    }
+
+    /// Records of type `T` in a buffer.
+    pub(crate) fn device<T: Pod>(
+        name: &'static str,
+        context: &GpuContext,
+        buffer: &wgpu::Buffer,
+    ) -> Result<Self, EstimatorError> {
+        Ok(Self {
+            name,
+            width: size_of::<T>() / size_of::<f32>(),
+            values: context.read_buffer(buffer)?,
+        })
+    }
+
+    /// The first `count` of them: a buffer may be longer than what it holds.
+    pub(crate) fn first(mut self, count: usize) -> Self {
+        self.values.truncate(count * self.width);
+        self
+    }
+
+    /// Those that are not 0 throughout.
+    pub(crate) fn without_zeros(self) -> Self {
+        let records = self.values.chunks_exact(self.width);
+        let written = records.filter(|record| record.iter().any(|v| *v != 0.0));
+        Self {
+            values: written.flatten().copied().collect(),
+            ..self
+        }
+    }
+}
+
+/// The state of a session that can be looked at.
+pub trait Prepared<B: Backend> {
+    /// All that shading reads; nothing before `prepare` has run.
+    ///
+    /// # Errors
+    /// [`EstimatorError`] if the device fails.
+    fn records(&self, caps: &B::Caps) -> Result<Vec<Records>, EstimatorError>;
+}
