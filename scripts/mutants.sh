@@ -64,7 +64,7 @@ try() {
         outcome="ERROR: it does not compile"
     else
         bounded "$2" "${CARGO:-cargo}" test "${tests[@]}" || status=$?
-        failed=$(sed -n 's/^test \(.*[^ ]\) *\.\.\. FAILED.*/`\1`/p' "$2")
+        failed=$(sed -n 's/^test *\([^ ].*[^ ]\) *\.\.\. FAILED.*/`\1`/p' "$2")
         if [ "$status" -eq 124 ]; then
             outcome="ERROR: the tests do not end within $limit s"
         elif grep -q 'the shader `.*` is not valid' "$2"; then
