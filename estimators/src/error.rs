@@ -1,7 +1,7 @@
 //! What can go wrong while an estimator runs.
 
 use interreflect_gpu::GpuError;
-use interreflect_scene::{CubeSpec, LightViewSpec};
+use interreflect_scene::{CubeSpec, LightViewSpec, PointError};
 
 /// Why a method can't run as asked: a result to report, not a failure.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -20,6 +20,9 @@ pub enum EstimatorError {
     /// `shade` was called before `prepare`.
     #[error("the session was asked to shade before it was prepared")]
     Unprepared,
+    /// A point can't be shaded.
+    #[error(transparent)]
+    Point(#[from] PointError),
     /// The method can't run as asked.
     #[error(transparent)]
     Unsupported(#[from] Unsupported),

@@ -31,7 +31,7 @@ pub trait Stage {
     /// Puts points, and room for their estimate, where the backend reads them.
     ///
     /// # Errors
-    /// [`EstimatorError`] if they don't fit.
+    /// [`EstimatorError`] if one can't be shaded, or if they don't fit.
     fn place(&self, points: &Points) -> Result<Placed<Self::Backend>, EstimatorError>;
 
     /// Finds the coarse solutions that captured radiance will hold: work done once for a scene, not

@@ -88,7 +88,7 @@ impl HarnessError {
             | Self::Cpu(_)
             | Self::Output(OutputError::Read { .. })
             | Self::Gpu(GpuError::UnknownAdapter { .. } | GpuError::TooManyLights { .. })
-            | Self::Estimator(EstimatorError::Unsupported(_)) => 2,
+            | Self::Estimator(EstimatorError::Unsupported(_) | EstimatorError::Point(_)) => 2,
             _ => 1,
         }
     }

@@ -11,12 +11,7 @@ use interreflect_estimators::{OwnModel, Quantity};
 use interreflect_scene::{Estimate, Points};
 
 /// Full light transport.
-const TRUTH: OwnModel = OwnModel::LightTransport(LightPaths {
-    bounces: 0,
-    indirect_visibility: true,
-    self_shadowing: true,
-    environment_at_infinity: false,
-});
+const TRUTH: OwnModel = OwnModel::LightTransport(LightPaths::ALL);
 
 /// Keeps the references' random numbers apart from those of a path-traced estimate.
 const SEED_APART: u64 = 0x7ef3_5a2c_91d4_0b68;

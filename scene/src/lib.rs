@@ -42,5 +42,5 @@ pub use material::Material;
 pub use mesh::Mesh;
 pub use motion::{Motion, Moves, SceneMotion};
 pub use needs::{CubeChannels, CubeSpec, LightViewChannels, LightViewSpec, Needs, SceneFacts};
-pub use points::{Estimate, LANES, Point, PointLayout, Points, SurfaceMaterial};
+pub use points::{Estimate, LANES, Point, PointError, PointLayout, Points, SurfaceMaterial};
 pub use scene::{Object, Role, Scene};

@@ -4,6 +4,10 @@
 //! in the order of the offsets below. Estimates come in blocks of three planes (R, G, B). Lanes
 //! after the last point, and points without a surface, have a mask of 0.
 
+mod check;
+
+pub use check::PointError;
+
 use glam::Vec3;
 
 /// Points in a block.

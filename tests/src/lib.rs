@@ -1,9 +1,12 @@
 //! Oracles, invariants and parity checks that every estimator faces.
 //!
 //! [`oracles`] are exact formulas, [`own_model`] evaluates what a method claims to compute by a
-//! deterministic integral, [`tolerance`] says how far two computations may part and why.
+//! deterministic integral, [`tolerance`] says how far two computations may part and why, and
+//! [`statistics`] whether path-traced estimates agree.
 
+pub mod exchange;
 pub mod oracles;
 pub mod own_model;
+pub mod statistics;
 pub mod tolerance;
 pub mod verify;

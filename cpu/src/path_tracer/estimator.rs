@@ -89,7 +89,9 @@ impl<'a> Estimator<'a> {
             return Vec3::splat(f32::from(u8::from(open)));
         }
         let unhidden = !self.paths.indirect_visibility;
-        let mut sum = self.drawn_source(self.first, at.origin, &at.lobe, unhidden, sample.set(1));
+        let mut sum = self.counted(0, || {
+            self.drawn_source(self.first, at.origin, &at.lobe, unhidden, sample.set(1))
+        });
         if let Some(drawn) = drawn {
             let arriving = self.arriving(at.origin, drawn.direction, drawn.density, sample);
             sum += drawn.weight * arriving;
@@ -114,12 +116,17 @@ impl<'a> Estimator<'a> {
         let density = Some(drawn.density);
         let start = objects.ray_start();
         let met = self.scene.closest(objects, origin, drawn.direction, start);
-        let found = match &met {
-            Some(surface) => self.emitted(objects, surface, drawn.direction, density),
-            None => self.environment(objects, drawn.direction, density),
-        };
+        let found = self.source(objects, met.as_ref(), drawn.direction, density);
         sum += drawn.weight * found;
         (sum, met)
+    }
+
+    /// Light that arrives after this many reflections, if such paths count.
+    fn counted(&self, reflections: u32, light: impl FnOnce() -> Vec3) -> Vec3 {
+        match reflections >= self.paths.least_bounces {
+            true => light(),
+            false => Vec3::ZERO,
+        }
     }
 
     fn open(&self, origin: DVec3, direction: Vec3) -> bool {
@@ -130,22 +137,22 @@ impl<'a> Estimator<'a> {
 
     /// Radiance along the gather leg, drawn from the lobe with a density.
     fn arriving(&self, origin: DVec3, direction: Vec3, density: f32, sample: Sample) -> Vec3 {
-        let leaving = |surface: SurfaceHit| {
-            self.emitted(self.first, &surface, direction, Some(density))
-                + self.reflected(surface, direction, sample)
+        let density = Some(density);
+        let source = |surface: Option<&SurfaceHit>| {
+            self.counted(0, || self.source(self.first, surface, direction, density))
         };
+        let reflected = |surface| self.reflected(surface, direction, sample);
         if self.paths.indirect_visibility {
-            return match self.scene.closest(self.first, origin, direction, 0.0) {
-                Some(surface) => leaving(surface),
-                None => self.environment(self.first, direction, Some(density)),
-            };
+            let met = self.scene.closest(self.first, origin, direction, 0.0);
+            return source(met.as_ref()) + met.map_or(Vec3::ZERO, reflected);
         }
         let along = direction.as_dvec3();
-        let surfaces = self.first.bvh().all(origin, along, 0.0).into_iter();
+        let hits = self.first.bvh().all(origin, along, 0.0).into_iter();
+        let surfaces = hits.map(|hit| self.scene.surface(self.first, origin, along, hit));
         surfaces
-            .map(|hit| leaving(self.scene.surface(self.first, origin, along, hit)))
+            .map(|surface| source(Some(&surface)) + reflected(surface))
             .sum::<Vec3>()
-            + self.environment(self.first, direction, Some(density))
+            + source(None)
     }
 
     /// Radiance that a surface reflects back along the leg that found it.
@@ -171,9 +178,12 @@ impl<'a> Estimator<'a> {
                 None
             } else {
                 let lobe = Lobe::of_material(at.geometric_normal, -direction, &at.material);
-                sum += throughput * self.reflected_direct(&at, &lobe);
+                sum += throughput * self.counted(bounce, || self.reflected_direct(&at, &lobe));
                 let set = sample.set(2 * bounce + 1);
-                sum += throughput * self.drawn_source(self.later, at.position, &lobe, false, set);
+                sum += throughput
+                    * self.counted(bounce, || {
+                        self.drawn_source(self.later, at.position, &lobe, false, set)
+                    });
                 let Some(drawn) = lobe.sample([u, v, choice]) else {
                     break;
                 };
@@ -187,19 +197,13 @@ impl<'a> Estimator<'a> {
                 break;
             }
             let start = self.later.ray_start();
-            match self
+            let met = self
                 .scene
-                .closest(self.later, at.position, direction, start)
-            {
-                Some(next) => {
-                    sum += throughput * self.emitted(self.later, &next, direction, density);
-                    at = next;
-                }
-                None => {
-                    sum += throughput * self.environment(self.later, direction, density);
-                    break;
-                }
-            }
+                .closest(self.later, at.position, direction, start);
+            let source = || self.source(self.later, met.as_ref(), direction, density);
+            sum += throughput * self.counted(bounce, source);
+            let Some(next) = met else { break };
+            at = next;
         }
         sum
     }
@@ -232,6 +236,20 @@ impl<'a> Estimator<'a> {
             return Vec3::ZERO;
         }
         value * source.radiance / (source.density + density)
+    }
+
+    /// Light of the source that a direction of the lobe has found: a surface, or the environment.
+    fn source(
+        &self,
+        objects: &Geometry,
+        met: Option<&SurfaceHit>,
+        direction: Vec3,
+        density: Option<f32>,
+    ) -> Vec3 {
+        match met {
+            Some(surface) => self.emitted(objects, surface, direction, density),
+            None => self.environment(objects, direction, density),
+        }
     }
 
     /// Emission of a surface found by a direction of the lobe, weighted against drawing it as a

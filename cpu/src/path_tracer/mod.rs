@@ -34,7 +34,7 @@ pub const REPLICATES: u32 = 32;
 
 /// Makes a z-score from [`REPLICATES`] means as rare as a normal one at |z| = 4: Student's t with
 /// 31 degrees of freedom exceeds 4 × this as often as a normal variable exceeds 4.
-const STUDENT_AT_4_SIGMA: f64 = 1.1554;
+pub const STUDENT_AT_4_SIGMA: f64 = 1.1554;
 
 /// Rounding to f32 and the lift of points off their surface, relative to the estimate.
 const ROUNDING: f64 = 1e-6;
@@ -47,6 +47,10 @@ const TASK: usize = 8;
 pub struct Traced {
     /// The estimate; zero where a point has no surface, NaN where its data are not numbers.
     pub mean: Estimate,
+    /// Standard deviation of `mean` as the spread of the [`REPLICATES`] tells it and nothing else:
+    /// the error over it follows Student's t with one degree of freedom less, as far as means of a
+    /// replicate are normal.
+    pub spread: Estimate,
     /// One standard error of `mean`, from the spread of the replicates; scaled so that |z| > 4
     /// is as rare as for a normal variable in spite of their number.
     ///
@@ -117,28 +121,37 @@ pub fn trace(
         }
     }
     let samples = done * REPLICATES;
-    let (mut mean, mut standard_error) = (Estimate::new(points.len()), Estimate::new(points.len()));
-    for (index, (value, error)) in statistics(&sums, done).into_iter().enumerate() {
-        mean.set(index, value.as_vec3());
-        standard_error.set(index, error.as_vec3());
-    }
-    Traced {
-        mean,
-        standard_error,
+    let mut traced = Traced {
+        mean: Estimate::new(points.len()),
+        spread: Estimate::new(points.len()),
+        standard_error: Estimate::new(points.len()),
         samples,
+    };
+    for (index, of_point) in statistics(&sums, done).into_iter().enumerate() {
+        traced.mean.set(index, of_point.mean.as_vec3());
+        traced.spread.set(index, of_point.spread.as_vec3());
+        let error = of_point.standard_error;
+        traced.standard_error.set(index, error.as_vec3());
     }
+    traced
 }
 
-/// Mean and standard error of every point, after `done` samples in each replicate.
-fn statistics(sums: &[DVec3], done: u32) -> Vec<(DVec3, DVec3)> {
+/// What the replicates of one point tell.
+struct Statistics {
+    mean: DVec3,
+    spread: DVec3,
+    standard_error: DVec3,
+}
+
+/// The statistics of every point, after `done` samples in each replicate.
+fn statistics(sums: &[DVec3], done: u32) -> Vec<Statistics> {
     let replicates = f64::from(REPLICATES);
     let squared = |v: DVec3| v * v;
     let of_point = |sums: &[DVec3]| {
         let scale = 1.0 / f64::from(done);
         let mean = sums.iter().sum::<DVec3>() * scale / replicates;
         let squares: DVec3 = sums.iter().map(|&s| squared(s * scale - mean)).sum();
-        let variance = squares / (replicates * (replicates - 1.0));
-        (mean, variance * STUDENT_AT_4_SIGMA * STUDENT_AT_4_SIGMA)
+        (mean, squares / (replicates * (replicates - 1.0)))
     };
     let points: Vec<_> = sums.chunks(REPLICATES as usize).map(of_point).collect();
     let sound = points.iter().filter(|(mean, _)| mean.is_finite());
@@ -151,15 +164,21 @@ fn statistics(sums: &[DVec3], done: u32) -> Vec<(DVec3, DVec3)> {
         // A plain maximum would lose that a mean is not a number.
         let reference = DVec3::select(squared(mean).cmplt(mean_square), mean_square, squared(mean));
         let least = reference * (unseen * unseen) + squared(mean) * (ROUNDING * ROUNDING);
-        (mean, (variance + least).map(f64::sqrt))
+        let scaled = variance * (STUDENT_AT_4_SIGMA * STUDENT_AT_4_SIGMA);
+        Statistics {
+            mean,
+            spread: variance.map(f64::sqrt),
+            standard_error: (scaled + least).map(f64::sqrt),
+        }
     };
     points.into_iter().map(error).collect()
 }
 
 /// Root of Σ standard error² over Σ estimate²; points that are not numbers are left out.
-fn relative_error(statistics: &[(DVec3, DVec3)]) -> f32 {
+fn relative_error(statistics: &[Statistics]) -> f32 {
     let (mut errors, mut squares) = (0.0, 0.0);
-    for (mean, error) in statistics {
+    for of_point in statistics {
+        let (mean, error) = (of_point.mean, of_point.standard_error);
         if mean.is_finite() && error.is_finite() {
             errors += error.length_squared();
             squares += mean.length_squared();

@@ -22,9 +22,12 @@ pub enum PathQuantity {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct LightPaths {
     /// Largest number of reflections between a source and the arrival at the point; 0 = unlimited.
-    /// Emission and the environment count as 0 reflections and are always in. Reflections at
-    /// mirrors count.
+    /// What emission and the environment send straight to the point has 0 reflections. Reflections
+    /// at mirrors count.
     pub bounces: u32,
+    /// Least number of reflections between a source and the arrival at the point, counted in the
+    /// same way: paths with fewer do not count. Above a `bounces` that limits, nothing does.
+    pub least_bounces: u32,
     /// `false`: nothing occludes the gather leg, the first one seen from the point. All surfaces
     /// along it contribute (reflection of either side, emission of the front), and the
     /// environment too. Openness is then 1.
@@ -37,14 +40,20 @@ pub struct LightPaths {
     pub environment_at_infinity: bool,
 }
 
+impl LightPaths {
+    /// Full light transport.
+    pub const ALL: Self = Self {
+        bounces: 0,
+        least_bounces: 0,
+        indirect_visibility: true,
+        self_shadowing: true,
+        environment_at_infinity: false,
+    };
+}
+
 impl Default for LightPaths {
     fn default() -> Self {
-        Self {
-            bounces: 0,
-            indirect_visibility: true,
-            self_shadowing: true,
-            environment_at_infinity: false,
-        }
+        Self::ALL
     }
 }
 

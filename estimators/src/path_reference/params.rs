@@ -8,6 +8,8 @@ pub struct PathReferenceParams {
     pub samples: u32,
     /// Most reflections between a source and the arrival at a point; 0 = no limit.
     pub bounces: u32,
+    /// Least reflections between a source and the arrival at a point.
+    pub least_bounces: u32,
     /// Occluders between a point and what it sees count.
     pub indirect_visibility: bool,
     /// The receivers occlude and reflect.
@@ -23,6 +25,7 @@ impl Default for PathReferenceParams {
         Self {
             samples: 256,
             bounces: 0,
+            least_bounces: 0,
             indirect_visibility: true,
             self_shadowing: true,
             environment_at_infinity: false,
@@ -36,6 +39,7 @@ impl PathReferenceParams {
     pub fn paths(&self) -> LightPaths {
         LightPaths {
             bounces: self.bounces,
+            least_bounces: self.least_bounces,
             indirect_visibility: self.indirect_visibility,
             self_shadowing: self.self_shadowing,
             environment_at_infinity: self.environment_at_infinity,
@@ -60,6 +64,13 @@ impl Params for PathReferenceParams {
                 0..=64,
                 |p: &Self| p.bounces,
                 |p, v| p.bounces = v,
+            ),
+            Field::u32(
+                "least_bounces",
+                "least reflections between a source and the arrival at a point",
+                0..=64,
+                |p: &Self| p.least_bounces,
+                |p, v| p.least_bounces = v,
             ),
             Field::bool(
                 "indirect_visibility",

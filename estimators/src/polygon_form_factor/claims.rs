@@ -34,7 +34,7 @@ fn published() -> Vec<Claim> {
         meets(Answers::Uniform, 0.7),
         meets(Answers::Walls, 0.9),
         meets(Answers::Smooth, 0.25),
-        Claim::Bounded { by: 1.5, cause },
+        Claim::Bounded { by: 3.0, cause },
     ]
 }
 

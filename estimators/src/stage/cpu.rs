@@ -39,6 +39,7 @@ impl Stage for CpuStage<'_> {
     }
 
     fn place(&self, points: &Points) -> Result<Placed<Cpu>, EstimatorError> {
+        points.validate()?;
         Ok(Placed {
             points: points.clone(),
             out: Estimate::new(points.len()),

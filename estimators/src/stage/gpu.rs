@@ -70,6 +70,7 @@ impl Stage for GpuStage<'_> {
     }
 
     fn place(&self, points: &Points) -> Result<Placed<Gpu>, EstimatorError> {
+        points.validate()?;
         Ok(Placed {
             points: GpuPoints::upload(&self.context, points)?,
             out: GpuEstimate::new(&self.context, points.len())?,

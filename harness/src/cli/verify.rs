@@ -15,7 +15,7 @@ that its own model has, and its own claims, tried in random worlds. Captures and
 unless --set says otherwise. A check that fails tells the smallest world in which it does, and the \
 command that shows it; the exit code is then 1.\n\nExamples:\n  interreflect verify\n  \
 interreflect verify --estimator polygon_form_factor --backend cpu\n  interreflect verify --estimator \
-localized_cubemap --check bounded --cases 200 --json"
+localized_cubemap --check bounded --cases 200 --json\n  interreflect verify --extremes --out extremes"
 )]
 pub struct Verify {
     /// Estimator to check; repeat for several, all if none is given
@@ -39,13 +39,17 @@ pub struct Verify {
     /// One world instead of random ones, as a failed check tells it
     #[arg(long, value_name = "JSON")]
     pub case: Option<Case>,
+    /// Instead of checks: how far each estimator is from the same formula in float64 where scenes,
+    /// light, points and maps are at the extremes
+    #[arg(long, conflicts_with_all = ["checks", "case", "cases"])]
+    pub extremes: bool,
     /// How to run.
     #[command(flatten)]
     pub run: RunOptions,
-    /// Print the checks as JSON instead of a table
+    /// Print JSON instead of a table
     #[arg(long)]
     pub json: bool,
-    /// Folder to write verify.json to
+    /// Folder to write verify.json to; of extremes, extremes.csv and extremes.svg
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 }

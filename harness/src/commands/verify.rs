@@ -1,5 +1,6 @@
 //! `verify`: every check that an estimator faces.
 
+mod extremes;
 mod table;
 
 use super::{print_json, print_line};
@@ -52,6 +53,9 @@ pub(super) fn run(command: &Verify, registry: Registry) -> Result<(), HarnessErr
     // A device that is not there is a reason where both backends are asked for.
     if command.backend.list() == [Backend::Gpu] {
         lab.gpu()?;
+    }
+    if command.extremes {
+        return extremes::run(&lab, command, &methods);
     }
     let mut records = Vec::new();
     let total = methods.len() * command.backend.list().len();
@@ -137,19 +141,9 @@ fn checked(
     (method, quantity): (&dyn Configured, Quantity),
     backend: Backend,
 ) -> Vec<Record> {
-    let rig = match backend {
-        Backend::Cpu => Ok(Rig::Cpu(&lab.cpu)),
-        Backend::Gpu => lab.gpu().map(|context| Rig::Gpu(&lab.cpu, context)),
-    };
-    let carry_out = |check: &Check| match &rig {
-        Ok(rig) => check.run(&Subject {
-            rig: *rig,
-            method,
-            quantity,
-            cases: command.cases as u32,
-            seed: lab.seed,
-            case: command.case.clone(),
-        }),
+    let subject = subject(lab, command, (method, quantity), backend);
+    let carry_out = |check: &Check| match &subject {
+        Ok(subject) => check.run(subject),
         Err(error) => no_device(error),
     };
     let record = |check: &Check| {
@@ -175,6 +169,26 @@ fn checked(
         }
     };
     chosen.iter().map(record).collect()
+}
+
+/// A variant on a backend, if it is there.
+fn subject<'a>(
+    lab: &'a Lab,
+    command: &Verify,
+    (method, quantity): (&'a dyn Configured, Quantity),
+    backend: Backend,
+) -> Result<Subject<'a>, GpuError> {
+    Ok(Subject {
+        rig: match backend {
+            Backend::Cpu => Rig::Cpu(&lab.cpu),
+            Backend::Gpu => Rig::Gpu(&lab.cpu, lab.gpu()?),
+        },
+        method,
+        quantity,
+        cases: command.cases as u32,
+        seed: lab.seed,
+        case: command.case.clone(),
+    })
 }
 
 fn no_device(error: &GpuError) -> Checked {

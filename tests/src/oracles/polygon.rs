@@ -55,6 +55,7 @@ fn clipped(n: DVec3, corners: &[DVec3]) -> Vec<DVec3> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::form_factors::{parallel_rectangle, perpendicular_rectangle};
     use super::super::quadrature::irradiance_by_area;
     use super::*;
     use std::f64::consts::PI;
@@ -92,6 +93,24 @@ mod tests {
                 error <= 2e-5 * quadrature,
                 "{centre}: {closed}, by quadrature {quadrature}"
             );
+        }
+    }
+
+    /// Closer than quadrature can tell: the closed forms of rectangles, both of them tried by it.
+    #[test]
+    fn agrees_with_the_closed_forms_of_rectangles_to_rounding() {
+        for (a, b, c) in [(1.0, 1.0, 1.0), (10.0, 5.0, 1e-3), (0.01, 0.02, 1.0)] {
+            let square = [(0.0, 0.0), (a, 0.0), (a, b), (0.0, b)];
+            let above = square.map(|(x, y)| DVec3::new(x, y, c));
+            // It stands on the receiver's plane: cut exactly at the horizon.
+            let ahead = square.map(|(x, z)| DVec3::new(x, c, z));
+            for (corners, exact) in [
+                (above, parallel_rectangle(a, b, c)),
+                (ahead, perpendicular_rectangle(b, a, c)),
+            ] {
+                let f = polygon_irradiance(DVec3::Z, &corners).abs() / PI;
+                assert!((f / exact - 1.0).abs() < 1e-11, "{a} {b} {c}: {f} {exact}");
+            }
         }
     }
 

@@ -7,6 +7,7 @@
 mod answers;
 mod case;
 mod converge;
+mod extremes;
 mod laws;
 mod property;
 mod rig;
@@ -16,6 +17,7 @@ mod subject;
 mod world;
 
 pub use case::Case;
+pub use extremes::{Extreme, extremes};
 pub use rig::{OnStage, Rig, VerifyError};
 pub use rules::rules_in;
 pub use settings::quick;

@@ -7,9 +7,10 @@ use crate::world::{
     Outcome, Variant, bounced, captures, cpu_stage, estimate, gpu_stage, ignored, on_gpu, switched,
     variants,
 };
+use interreflect_conformance::exchange::{downloaded, uploaded};
 use interreflect_conformance::tolerance::Tolerance;
-use interreflect_estimators::{Captures, Cpu, Gpu};
-use interreflect_gpu::{GpuContext, GpuCube, GpuLightView};
+use interreflect_estimators::{Captures, Cpu};
+use interreflect_gpu::GpuContext;
 use interreflect_scene::conventions::{CUBE_FACES, texel_index, texel_solid_angle_sr};
 use interreflect_scene::{CubeImage, Estimate, LightViewImage};
 use libtest_mimic::{Failed, Trial};
@@ -85,23 +86,23 @@ fn parity(context: &Arc<GpuContext>, subject: &'static Subject, variant: &Varian
     let points = subject.points(variant.quantity.layout());
     let by_cpu = captures(&cpu, subject, variant)?;
     let by_gpu = captures(&gpu, subject, variant)?;
-    let mut uploaded = upload(context, &by_cpu)?;
-    let mut downloaded = download(context, &by_gpu)?;
+    let mut on_device = uploaded(context, &by_cpu)?;
+    let mut on_host = downloaded(context, &by_gpu)?;
     // Depth maps are made while they are read, each backend's by itself: there is nothing to swap.
-    uploaded.depths.clone_from(&by_gpu.depths);
-    downloaded.depths.clone_from(&by_cpu.depths);
+    on_device.depths.clone_from(&by_gpu.depths);
+    on_host.depths.clone_from(&by_cpu.depths);
     let silhouettes = !by_cpu.depths.is_empty();
 
     let on_cpu = estimate(&cpu, subject, variant, &by_cpu, &points)?;
     let on_gpu = estimate(&gpu, subject, variant, &by_gpu, &points)?;
     let same = float32(texels(&by_cpu), largest(&on_cpu));
-    let of_cpu_captures = estimate(&gpu, subject, variant, &uploaded, &points)?;
+    let of_cpu_captures = estimate(&gpu, subject, variant, &on_device, &points)?;
     let check = if silhouettes { check_most } else { check };
     check(&same, &on_cpu, &of_cpu_captures).map_err(|e| format!("on the CPU's captures: {e}"))?;
-    let of_gpu_captures = estimate(&cpu, subject, variant, &downloaded, &points)?;
+    let of_gpu_captures = estimate(&cpu, subject, variant, &on_host, &points)?;
     check(&same, &of_gpu_captures, &on_gpu).map_err(|e| format!("on the GPU's captures: {e}"))?;
 
-    let apart = captures_apart(&by_cpu, &downloaded)?;
+    let apart = captures_apart(&by_cpu, &on_host)?;
     let own = Tolerance {
         absolute: same.absolute + apart,
         cause: "captures that differ along edges of surfaces and shadows",
@@ -151,49 +152,6 @@ fn texels(captures: &Captures<Cpu>) -> usize {
     let cubes = captures.cubes.values().map(CubeImage::texels);
     let views = captures.light_views.values().map(LightViewImage::texels);
     cubes.chain(views).sum()
-}
-
-pub(crate) fn upload(context: &GpuContext, from: &Captures<Cpu>) -> Result<Captures<Gpu>, Failed> {
-    let mut captures = Captures {
-        environment: from.environment.clone(),
-        ..Captures::default()
-    };
-    for (spec, cube) in &from.cubes {
-        let cube = GpuCube::upload(context, cube)?;
-        ensure!(
-            cube.spec() == *spec,
-            "uploaded {spec:?} became {:?}",
-            cube.spec()
-        );
-        captures.cubes.insert(*spec, cube);
-    }
-    for (spec, views) in &from.light_views {
-        let views = GpuLightView::upload(context, views)?;
-        ensure!(
-            views.spec() == *spec,
-            "uploaded {spec:?} became {:?}",
-            views.spec()
-        );
-        captures.light_views.insert(*spec, views);
-    }
-    Ok(captures)
-}
-
-pub(crate) fn download(
-    context: &GpuContext,
-    from: &Captures<Gpu>,
-) -> Result<Captures<Cpu>, Failed> {
-    let mut captures = Captures {
-        environment: from.environment.clone(),
-        ..Captures::default()
-    };
-    for (spec, cube) in &from.cubes {
-        captures.cubes.insert(*spec, cube.download(context)?);
-    }
-    for (spec, views) in &from.light_views {
-        captures.light_views.insert(*spec, views.download(context)?);
-    }
-    Ok(captures)
 }
 
 /// A texel at half the distance from the point as from the reference point counts four times.

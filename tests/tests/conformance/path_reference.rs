@@ -1,85 +1,84 @@
-//! The path tracer against exact answers and against itself.
+//! The path tracer on trial: against exact answers, against itself, and light paths that add up.
+
+mod exact;
+mod form_factors;
+mod images;
+mod openness;
+mod scenes;
+mod selections;
+mod skies;
 
 use crate::ensure;
-use crate::room_points::ROOM;
-use crate::subjects::{ROOM_RADIANCES, SUBJECTS, Subject, box_with, inside};
-use crate::world::{CPU, Outcome, ignored};
+use crate::world::{CPU, Outcome};
+use interreflect_conformance::statistics::{Disagreement, Scores};
 use interreflect_cpu::path_tracer::{LightPaths, PathQuantity, Stop, Traced, trace};
-use interreflect_scene::{PointLayout, Points};
+use interreflect_cpu::scene::CpuScene;
+use interreflect_scene::Points;
 use libtest_mimic::Trial;
-use std::f64::consts::PI;
 
 pub(crate) fn trials() -> Vec<Trial> {
-    let mut trials = vec![Trial::test("path_reference/furnace", furnace)];
-    for subject in &SUBJECTS[..3] {
-        for (name, quantity) in [
-            ("irradiance", PathQuantity::Irradiance),
-            ("glossy_radiance", PathQuantity::GlossyRadiance),
-        ] {
-            let name = format!("path_reference/two_seeds/{}/{name}", subject.name);
-            trials.push(Trial::test(name, move || two_seeds(subject, quantity)));
-        }
+    let groups = [
+        exact::trials(),
+        form_factors::trials(),
+        skies::trials(),
+        openness::trials(),
+        images::trials(),
+        selections::trials(),
+    ];
+    groups.into_iter().flatten().collect()
+}
+
+/// What is traced, but for the scene and its points.
+#[derive(Clone, Copy)]
+struct Ask {
+    quantity: PathQuantity,
+    paths: LightPaths,
+    samples: u32,
+    seed: u64,
+}
+
+/// Irradiance by full light transport.
+const IRRADIANCE: Ask = Ask {
+    quantity: PathQuantity::Irradiance,
+    paths: LightPaths::ALL,
+    samples: 1024,
+    seed: 1,
+};
+
+impl Ask {
+    /// The same of other light paths.
+    fn of(self, paths: LightPaths) -> Self {
+        Self { paths, ..self }
     }
-    let name = "path_reference/room";
-    trials.push(match ROOM.is_some() {
-        true => Trial::test(name, room),
-        false => ignored(name.into(), "../shared/points is not there"),
-    });
-    trials
+
+    /// The same with another seed.
+    fn seeded(self, seed: u64) -> Self {
+        Self { seed, ..self }
+    }
+
+    fn trace(&self, scene: &CpuScene, points: &Points) -> Traced {
+        let stop = Stop {
+            samples: Some(self.samples),
+            ..Stop::default()
+        };
+        let (quantity, seed) = (self.quantity, self.seed);
+        CPU.install(|| trace(scene, points, quantity, &self.paths, &stop, seed, &|_| {}))
+    }
 }
 
-fn traced(subject: &Subject, points: &Points, quantity: PathQuantity, seed: u64) -> Traced {
-    let stop = Stop {
-        samples: Some(1024),
-        ..Stop::default()
-    };
-    let paths = LightPaths::default();
-    CPU.install(|| trace(&subject.cpu, points, quantity, &paths, &stop, seed, &|_| {}))
+/// The scores are chance, of estimates with at most this noise: with more a trial sees nothing.
+fn hold(scores: Result<Scores, Disagreement>, noise: f64) -> Outcome {
+    let scores = scores?;
+    let found = scores.noise();
+    ensure!(found <= noise, "noise of {found:.4}, to be below {noise}");
+    Ok(scores.check()?)
 }
 
-/// Radiance 1 all around gives E = π.
-fn furnace() -> Outcome {
-    let subject = box_with([1.0; 6], inside(200));
-    let points = subject.points(PointLayout::Surface);
-    let traced = traced(&subject, &points, PathQuantity::Irradiance, 1);
+/// Every value is right without noise, but for rounding: a sum of samples that are each exact.
+fn exactly(traced: &Traced, exact: f64) -> Outcome {
     for (i, value) in traced.mean.iter().enumerate() {
-        let exact = if points.get(i).is_some() { PI } else { 0.0 };
-        for value in value.to_array() {
-            let error = (f64::from(value) - exact).abs();
-            ensure!(error <= 1e-3 * exact, "point {i}: {value} for {exact}");
-        }
-    }
-    Ok(())
-}
-
-/// Two means part by no more than four of their common standard errors.
-fn two_seeds(subject: &Subject, quantity: PathQuantity) -> Outcome {
-    let points = subject.points(PointLayout::Material);
-    let [a, b] = [1, 2].map(|seed| traced(subject, &points, quantity, seed));
-    ensure!(a.mean != b.mean, "the seed has no effect");
-    for i in 0..points.len() {
-        for c in 0..3 {
-            let value = |t: &Traced| f64::from(t.mean.get(i)[c]);
-            let error = |t: &Traced| f64::from(t.standard_error.get(i)[c]);
-            let z = (value(&a) - value(&b)) / error(&a).hypot(error(&b));
-            ensure!(
-                z.abs() < 4.0 || points.get(i).is_none(),
-                "point {i}: z = {z:.2}"
-            );
-        }
-    }
-    Ok(())
-}
-
-/// The exact irradiances of the public point set.
-fn room() -> Outcome {
-    let room = ROOM.as_ref().ok_or("no point set")?;
-    let subject = box_with(ROOM_RADIANCES, Vec::new());
-    let traced = traced(&subject, &room.points, PathQuantity::Irradiance, 1);
-    for (i, exact) in room.column("E_exact")?.iter().enumerate() {
-        let (value, error) = (traced.mean.get(i).x, traced.standard_error.get(i).x);
-        let z = (f64::from(value) - exact) / f64::from(error);
-        ensure!(z.abs() < 4.0, "point {i}: {value} for {exact}, z = {z:.2}");
+        let error = (value.as_dvec3() / exact - 1.0).abs().max_element();
+        ensure!(error <= 2e-6, "point {i}: {value} for {exact}");
     }
     Ok(())
 }

@@ -12,7 +12,7 @@ const WIDTH_IN_A_PIPE: u16 = 140;
 pub(super) fn of(records: &[Record], detailed: bool) -> String {
     let mut text = String::new();
     let mut rest = records;
-    let mut summary = table(&[
+    let mut summary = plain(&[
         "estimator",
         "quantity",
         "on",
@@ -75,7 +75,7 @@ fn line(group: &[Record]) -> Vec<String> {
 
 /// Every check of a group.
 fn checks(group: &[Record]) -> Table {
-    let mut table = table(&["check", "verdict", "value", "bound", "cases", "note"]);
+    let mut table = plain(&["check", "verdict", "value", "bound", "cases", "note"]);
     for record in group {
         let number = |value: Option<f64>| value.map_or("–".into(), |v| format!("{v:.3e}"));
         table.add_row([
@@ -98,7 +98,8 @@ fn checks(group: &[Record]) -> Table {
     table
 }
 
-fn table(header: &[&str]) -> Table {
+/// An empty table with a header.
+pub(super) fn plain<T: ToString>(header: &[T]) -> Table {
     let mut table = Table::new();
     let rule = LineStyle::none().fill('─').junction('─');
     table.load_style(presets::NOTHING.header_separator(rule));
@@ -106,6 +107,6 @@ fn table(header: &[&str]) -> Table {
     if !table.is_tty() {
         table.set_width(WIDTH_IN_A_PIPE);
     }
-    table.set_header(header);
+    table.set_header(header.iter().map(T::to_string));
     table
 }

@@ -2,13 +2,14 @@
 
 use super::{CAPTURED, OF_A_TERM, sum_of, texels};
 use crate::ensure;
-use crate::parity::{captures_apart, download};
+use crate::parity::captures_apart;
 use crate::subjects::{SUBJECTS, Subject};
 use crate::world::{Outcome, Variant, captures, cpu_stage, gpu_stage, ignored, on_gpu, variants};
 use glam::Vec3;
 use interreflect::measure::measure;
 use interreflect::output::HdrImage;
 use interreflect::view::View;
+use interreflect_conformance::exchange::downloaded;
 use interreflect_estimators::Quantity;
 use interreflect_estimators::stage::{CpuStage, GpuStage, Stage};
 use interreflect_gpu::GpuContext;
@@ -101,7 +102,7 @@ impl Bound {
                 cause: "silhouettes in depth maps",
             });
         }
-        let by_gpu = download(context, &captures(gpu, subject, variant)?)?;
+        let by_gpu = downloaded(context, &captures(gpu, subject, variant)?)?;
         let rounding = sum_of(texels(&by_cpu), OF_A_TERM);
         Ok(Self {
             largest: rounding,

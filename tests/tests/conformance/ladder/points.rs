@@ -2,12 +2,12 @@
 
 use super::{CAPTURED, OF_A_TERM, sum_of, texels};
 use crate::ensure;
-use crate::parity::upload;
 use crate::subjects::{SUBJECTS, Subject, same_bits};
 use crate::world::{
     CPU, Outcome, Variant, captures, cpu_stage, estimate, gpu_stage, ignored, on_gpu, switched,
     variants,
 };
+use interreflect_conformance::exchange::uploaded;
 use interreflect_conformance::tolerance::Tolerance;
 use interreflect_cpu::tiles::Arithmetic;
 use interreflect_estimators::directional_ao::DIRECTIONS;
@@ -58,9 +58,9 @@ fn climb(context: &Arc<GpuContext>, subject: &'static Subject, variant: &Variant
     same_bits(&scalar, lanes.iter()).map_err(|e| format!("scalar to lanes: {e}"))?;
     let to_device = match captured.depths.is_empty() {
         true => {
-            let uploaded = upload(context, &captured)?;
+            let given = uploaded(context, &captured)?;
             let gpu = gpu_stage(context, subject)?;
-            let on_device = estimate(&gpu, subject, variant, &uploaded, &points)?;
+            let on_device = estimate(&gpu, subject, variant, &given, &points)?;
             let largest = climbed(&exact, &on_device, &prepared(variant, &captured))
                 .map_err(|e| format!("float64 to device: {e}"))?;
             format!("{largest:.1e}")

@@ -2,9 +2,9 @@
 
 use super::{CAPTURED, OF_A_TERM, sum_of, texels};
 use crate::ensure;
-use crate::parity::upload;
 use crate::subjects::{SUBJECTS, Subject};
 use crate::world::{CPU, Outcome, cpu_stage, gpu_stage, on_gpu};
+use interreflect_conformance::exchange::uploaded;
 use interreflect_conformance::tolerance::Tolerance;
 use interreflect_estimators::classic_envmap::ClassicEnvmap;
 use interreflect_estimators::constant_ambient::ConstantAmbient;
@@ -191,14 +191,14 @@ impl Run {
             scene.facts(),
             scene.capture_origin(self.needs.keep_within_m),
         );
-        let (stage, uploaded) = (
+        let (stage, given) = (
             gpu_stage(context, self.subject)?,
-            upload(context, captures)?,
+            uploaded(context, captures)?,
         );
         let placed = stage.place(&self.points)?;
         let inputs = Inputs::new(
             &self.needs,
-            &uploaded,
+            &given,
             &placed.points,
             &self.points,
             origin,

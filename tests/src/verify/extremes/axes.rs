@@ -1,0 +1,273 @@
+//! What is taken to its extreme, and where on each axis.
+
+use crate::verify::answers::{orientations, within};
+use crate::verify::world::{Lighting, Placement, World};
+use crate::verify::{Case, Subject};
+use glam::{DVec3, Mat3, Vec3};
+use interreflect_estimators::{Configured, Quantity};
+use interreflect_scene::params::Value;
+use interreflect_scene::{Light, Points, Scene};
+
+/// An axis.
+pub(super) struct Axis {
+    pub(super) name: &'static str,
+    pub(super) unit: &'static str,
+    pub(super) values: fn() -> Vec<f64>,
+    /// Whether a claimed bound is about its places.
+    pub(super) bounded: bool,
+    /// Whether its inputs have to be refused.
+    pub(super) refusable: bool,
+    /// What is estimated there; `None` where the axis does not touch the method.
+    pub(super) place: fn(&Subject<'_>, Lighting, f64) -> Option<Place>,
+}
+
+/// A scene, points and a method on an axis.
+pub(super) struct Place {
+    pub(super) scene: Scene,
+    pub(super) points: Points,
+    pub(super) method: Box<dyn Configured>,
+    /// What surroundings of the greatest radiance give there.
+    pub(super) greatest: f64,
+}
+
+/// Powers of ten.
+fn decades(first: i32, last: i32, step: usize) -> Vec<f64> {
+    (first..=last)
+        .step_by(step)
+        .map(|e| 10f64.powi(e))
+        .collect()
+}
+
+/// Nothing, then powers of ten.
+fn from_nothing(first: i32, last: i32) -> Vec<f64> {
+    std::iter::once(0.0)
+        .chain(decades(first, last, 1))
+        .collect()
+}
+
+pub(super) fn all() -> Vec<Axis> {
+    let axis = |name, unit, values, place| Axis {
+        name,
+        unit,
+        values,
+        bounded: true,
+        refusable: false,
+        place,
+    };
+    vec![
+        axis("scale", "m", || decades(-6, 6, 1), scale),
+        axis("radiance", "W/(m² sr)", || decades(-30, 30, 5), radiance),
+        axis("gap", "m", || from_nothing(-7, -1), gap),
+        axis(
+            "from_reference",
+            "m",
+            || from_nothing(-7, -1),
+            from_reference,
+        ),
+        axis(
+            "on_texel",
+            "0 middle, 1 edge, 2 corner",
+            || vec![0.0, 1.0, 2.0],
+            on_texel,
+        ),
+        axis("grazing", "cosine", || from_nothing(-8, 0), grazing),
+        axis("sliver", "m", || from_nothing(-7, 0), sliver),
+        axis("texels", "a side", || vec![1.0, 2.0, 3.0], texels),
+        Axis {
+            bounded: false,
+            ..axis("shininess", "exponent", || from_nothing(0, 5), shininess)
+        },
+        Axis {
+            refusable: true,
+            ..axis("normal_length", "", normal_lengths, normal_length)
+        },
+        Axis {
+            refusable: true,
+            ..axis(
+                "no_number",
+                "0 mesh, 1 radiance, 2 sky, 3 point",
+                || vec![0.0, 1.0, 2.0, 3.0],
+                no_number,
+            )
+        },
+    ]
+}
+
+/// None of them 1.
+fn normal_lengths() -> Vec<f64> {
+    vec![0.0, 1e-30, 1e-10, 1e-3, 0.9, 1.1, 1e3, 1e30]
+}
+
+/// A box of unequal walls with points all over it.
+fn world(lighting: Lighting) -> World {
+    let place = |(i, n): (usize, DVec3)| [within(i), n.as_vec3().to_array()];
+    let case = Case {
+        half: [1.2, 0.9, 1.0],
+        walls: [0.9, 0.3, 0.6, 0.75, 0.4, 0.5],
+        sky: [0.3, -0.4, 0.2],
+        reference: [0.17, -0.12, 0.26],
+        lamp: [0.21, 0.33, -0.14],
+        points: orientations(48).enumerate().map(place).collect(),
+    };
+    case.world(lighting)
+}
+
+fn place(subject: &Subject<'_>, world: &World) -> Place {
+    Place {
+        scene: world.scene(),
+        points: world.placed_points(subject.quantity),
+        method: subject.method.boxed_clone(),
+        greatest: world.greatest(subject.quantity),
+    }
+}
+
+fn scale(subject: &Subject<'_>, lighting: Lighting, metres: f64) -> Option<Place> {
+    let mut world = world(lighting);
+    world.placement = Placement {
+        linear: Mat3::from_diagonal(Vec3::splat(metres as f32)),
+        shift: Vec3::ZERO,
+    };
+    Some(place(subject, &world))
+}
+
+/// All light times a factor.
+fn radiance(subject: &Subject<'_>, lighting: Lighting, factor: f64) -> Option<Place> {
+    if subject.quantity == Quantity::AmbientOcclusion {
+        return None;
+    }
+    let mut place = place(subject, &world(lighting));
+    let factor = factor as f32;
+    for material in &mut place.scene.materials {
+        material.emission *= factor;
+    }
+    for light in &mut place.scene.lights {
+        if let Light::Point { intensity, .. } = light {
+            *intensity *= factor;
+        }
+    }
+    if let Some(environment) = &mut place.scene.environment {
+        environment.scale *= factor;
+    }
+    place.greatest *= f64::from(factor);
+    Some(place)
+}
+
+/// Points so far from a wall, which face it, face away and look along it.
+fn gap(subject: &Subject<'_>, lighting: Lighting, metres: f64) -> Option<Place> {
+    let mut world = world(lighting);
+    let x = world.half.x - metres as f32;
+    for (i, point) in world.points.iter_mut().enumerate() {
+        point.position.x = x;
+        point.normal = [Vec3::X, Vec3::NEG_X, Vec3::Y, Vec3::NEG_Z][i % 4];
+        point.view = (point.normal + Vec3::new(-0.3, 0.2, 0.1)).normalize();
+    }
+    Some(place(subject, &world))
+}
+
+/// Points so far from the reference point.
+fn from_reference(subject: &Subject<'_>, lighting: Lighting, metres: f64) -> Option<Place> {
+    let mut world = world(lighting);
+    let reference = world.reference;
+    for point in &mut world.points {
+        let away = Vec3::new(point.normal.y, point.normal.z, point.normal.x);
+        point.position = reference + away * metres as f32;
+    }
+    Some(place(subject, &world))
+}
+
+/// Points on a wall where the rays from the reference point through middles, edges and corners of its
+/// texels meet it, for maps of 4² texels a face.
+fn on_texel(subject: &Subject<'_>, lighting: Lighting, which: f64) -> Option<Place> {
+    let mut world = world(lighting);
+    let (s, t) = [(0.25, 0.25), (0.5, 0.25), (0.5, 0.5)][which as usize];
+    let distance = world.half.x - world.reference.x;
+    for (i, point) in world.points.iter_mut().enumerate() {
+        let side = |k: usize| if i >> k & 1 == 0 { -1.0_f32 } else { 1.0 };
+        let along = Vec3::new(1.0, side(0) * s, side(1) * t);
+        point.position = world.reference + along * distance;
+        point.position.x = world.half.x;
+        point.normal = [Vec3::NEG_X, Vec3::X, Vec3::Y][(i >> 2) % 3];
+        point.view = (point.normal + Vec3::new(-0.3, 0.2, 0.1)).normalize();
+    }
+    Some(place(subject, &world))
+}
+
+/// One wall alone, seen by points whose normals have so large a cosine to its axis.
+fn grazing(subject: &Subject<'_>, lighting: Lighting, cosine: f64) -> Option<Place> {
+    let mut world = world(lighting);
+    if lighting != Lighting::Sky {
+        world.walls = std::array::from_fn(|i| Vec3::splat(f32::from(u8::from(i == 0))));
+    }
+    let sine = (1.0 - cosine * cosine).sqrt();
+    for (i, point) in world.points.iter_mut().enumerate() {
+        let (sin, cos) = (0.7 * i as f64).sin_cos();
+        point.normal = DVec3::new(cosine, sine * sin, sine * cos).as_vec3();
+        point.view = (point.normal + Vec3::new(0.3, 0.2, -0.1)).normalize();
+    }
+    Some(place(subject, &world))
+}
+
+/// The box with a strip before one wall, so wide.
+fn sliver(subject: &Subject<'_>, lighting: Lighting, metres: f64) -> Option<Place> {
+    let mut place = place(subject, &world(lighting));
+    let mesh = &mut place.scene.objects.first_mut()?.mesh;
+    let first = mesh.positions.len() as u32;
+    let width = metres.min(1.0) as f32;
+    let corners = [(0.0, -0.7), (0.0, 0.7), (width, 0.7), (width, -0.7)];
+    // Not quite planar: the last corner stands off.
+    let corner = |(i, (y, z)): (usize, (f32, f32))| {
+        Vec3::new(1.1 - 1e-3 * f32::from(u8::from(i == 3)), y, z)
+    };
+    mesh.positions
+        .extend(corners.into_iter().enumerate().map(corner));
+    mesh.triangles.push([first, first + 1, first + 2]);
+    mesh.triangles.push([first, first + 2, first + 3]);
+    mesh.materials.extend([1; 2]);
+    Some(place)
+}
+
+/// Every map of so few texels.
+fn texels(subject: &Subject<'_>, lighting: Lighting, side: f64) -> Option<Place> {
+    let mut place = place(subject, &world(lighting));
+    let mut touched = false;
+    for (field, value) in place.method.values() {
+        let counts = field.name.ends_with("resolution") || field.name == "samples_per_side";
+        if counts && matches!(value, Value::U32(_)) {
+            // What it can't have so small it keeps.
+            touched |= place.method.set(field.name, &side.to_string()).is_ok();
+        }
+    }
+    touched.then_some(place)
+}
+
+fn shininess(subject: &Subject<'_>, lighting: Lighting, exponent: f64) -> Option<Place> {
+    let mut world = world(lighting);
+    for point in &mut world.points {
+        point.material.shininess = exponent as f32;
+    }
+    (subject.quantity == Quantity::GlossyRadiance).then(|| place(subject, &world))
+}
+
+fn normal_length(subject: &Subject<'_>, lighting: Lighting, length: f64) -> Option<Place> {
+    let mut world = world(lighting);
+    for point in &mut world.points {
+        point.normal *= length as f32;
+    }
+    Some(place(subject, &world))
+}
+
+/// No number in a mesh, a radiance, a sky, a point.
+fn no_number(subject: &Subject<'_>, lighting: Lighting, which: f64) -> Option<Place> {
+    let mut place = place(subject, &world(lighting));
+    match which as u32 {
+        0 => place.scene.objects.first_mut()?.mesh.positions[2].y = f32::NAN,
+        1 => place.scene.materials.first_mut()?.emission.x = f32::INFINITY,
+        2 => place.scene.environment.as_mut()?.image.texels[5].z = f32::NAN,
+        _ => {
+            let mut world = world(lighting);
+            world.points[7].position.x = f32::NAN;
+            place.points = world.placed_points(subject.quantity);
+        }
+    }
+    Some(place)
+}
