@@ -124,6 +124,45 @@ fn nearest_hits_are_those_of_all_triangles_tested_one_by_one() {
 }
 
 #[test]
+fn of_triangles_at_one_distance_the_first_is_hit() {
+    let once = fine_room(7);
+    let twice = [once.as_slice(), &once].concat();
+    let bvh = Bvh::new(&twice);
+    for (index, direction) in support::directions(300).enumerate() {
+        let origin = DVec3::new(0.1, 0.2, -0.003 * index as f64);
+        let hit = bvh.closest(origin, direction.as_dvec3(), 0.0, 9.0);
+        let triangle = hit.map(|h| h.triangle as usize);
+        assert!(triangle.is_some_and(|t| t < once.len()), "{triangle:?}");
+    }
+}
+
+/// Powers of two scale without rounding: hits are the same triangles in the same places.
+#[test]
+fn a_larger_or_smaller_scene_has_the_same_hits() {
+    let triangles = fine_room(7);
+    let bvh = Bvh::new(&triangles);
+    for factor in [20, -10].map(|power| 2.0_f64.powi(power)) {
+        let scaled: Vec<_> = triangles
+            .iter()
+            .map(|t| t.map(|corner| corner * factor as f32))
+            .collect();
+        let scaled = Bvh::new(&scaled);
+        for index in 0..20_000 {
+            let (origin, target) = ray(index, &triangles);
+            let direction = (target - origin).normalize();
+            let hit = bvh.closest(origin, direction, 0.0, f64::INFINITY);
+            let same = scaled.closest(origin * factor, direction, 0.0, f64::INFINITY);
+            let same = same.map(|h| (h.distance / factor, h.triangle, h.barycentric));
+            assert_eq!(
+                same,
+                hit.map(|h| (h.distance, h.triangle, h.barycentric)),
+                "ray {index}, scene times {factor}"
+            );
+        }
+    }
+}
+
+#[test]
 fn a_ray_that_starts_on_a_triangle_sees_the_next_one_however_near() {
     let bvh = Bvh::new(&fine_room(16));
     for gap in [1e-2, 1e-4, 1e-6] {

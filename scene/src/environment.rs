@@ -85,3 +85,40 @@ impl Environment {
         self.image.sample(unturn * direction) * self.scale
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_texel_is_seen_in_its_direction_turned_about_y() {
+        let (width, height) = (8, 4);
+        let texel = |i: u32| Vec3::splat(i as f32);
+        let mut environment = Environment {
+            image: LatLongImage {
+                width,
+                height,
+                texels: (0..width * height).map(texel).collect(),
+            },
+            scale: 2.0,
+            rotate_deg: 0.0,
+        };
+        // The middle of column 1 and row 1: θ = 3π/8 from +y, φ = 3π/8 from −z towards +x.
+        let (sin, cos) = (0.375 * PI).sin_cos();
+        let middle = Vec3::new(sin * sin, cos, -sin * cos);
+        for (rotate_deg, seen) in [
+            (0.0, middle),
+            // From +x to −z, from −z to −x.
+            (90.0, Vec3::new(middle.z, middle.y, -middle.x)),
+            (-90.0, Vec3::new(-middle.z, middle.y, middle.x)),
+        ] {
+            environment.rotate_deg = rotate_deg;
+            let radiance = environment.radiance(seen);
+            // Roundings of angles in texels.
+            assert!(
+                (radiance.x / 2.0 - 9.0).abs() < 1e-4,
+                "{rotate_deg}°: {radiance}"
+            );
+        }
+    }
+}

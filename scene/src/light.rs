@@ -134,3 +134,48 @@ fn in_frustum(away: Vec3, axis: Vec3, up: Vec3, shape: SpotShape, angle_deg: f32
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_spot_ends_at_half_of_its_full_angle() {
+        let irradiance = |shape, across: f32| {
+            let spot = Light::Spot {
+                position: Vec3::Y,
+                direction: Vec3::NEG_Y,
+                up: Vec3::Z,
+                shape,
+                angle_deg: 90.0,
+                intensity: Vec3::ONE,
+            };
+            spot.incident(Vec3::new(across, 0.0, across))
+                .map(|light| light.irradiance.x)
+        };
+        // 45° from the axis, one metre below: a circle of radius 1, a square of half-width 1.
+        for (shape, edge) in [(SpotShape::Cone, 0.5_f32.sqrt()), (SpotShape::Square, 1.0)] {
+            let inside = 0.99 * edge;
+            let expected = 1.0 / (1.0 + 2.0 * inside * inside);
+            let found = irradiance(shape, inside).unwrap_or(0.0);
+            // Roundings of a squared distance.
+            assert!((found / expected - 1.0).abs() < 1e-6, "{shape:?}: {found}");
+            assert_eq!(irradiance(shape, 1.01 * edge), None, "{shape:?}");
+        }
+    }
+
+    #[test]
+    fn an_area_light_radiates_its_flux_by_the_cosine() {
+        let light = Light::Area {
+            position: Vec3::ZERO,
+            normal: Vec3::X,
+            area_m2: 3.0,
+            flux: Vec3::splat(std::f32::consts::PI),
+        };
+        let at = |x, y| light.incident(Vec3::new(x, y, 0.0)).map(|i| i.irradiance.x);
+        // Φ/π·cos θ/r²; behind it nothing. Roundings of a few products.
+        assert!(at(2.0, 0.0).is_some_and(|e| (e - 0.25).abs() < 1e-6));
+        assert!(at(1.0, 1.0).is_some_and(|e| (e - 0.5 * 0.5_f32.sqrt()).abs() < 1e-6));
+        assert_eq!(at(-1.0, 1.0), None);
+    }
+}

@@ -119,6 +119,15 @@ mod tests {
     }
 
     #[test]
+    fn tone_mapping_exposes_and_encodes_once() {
+        let mut image = HdrImage::new(1, 1);
+        image.set(0, 0, Vec3::new(0.09, 0.18, 1.0));
+        let shown = image.tone_mapped(Exposure(2.0));
+        // Linear .18 and .36 are sRGB .461 and .636.
+        assert_eq!(shown.get_pixel(0, 0).0, [118, 162, 255, 255]);
+    }
+
+    #[test]
     fn exposure_follows_the_bright_parts_not_one_firefly() {
         let mut image = HdrImage::new(100, 10);
         image.pixels.fill(Vec3::new(0.1, 0.45, 0.2));

@@ -47,6 +47,18 @@ fn a_failed_write_leaves_the_old_file_and_nothing_else() {
     assert_eq!(names, ["results.json"]);
 }
 
+/// A second name of the old file keeps what it held: nothing was written over it.
+#[test]
+fn a_new_file_takes_the_old_one_s_place_and_leaves_it_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    let [path, other] = ["results.json", "other.json"].map(|name| folder.path().join(name));
+    fs::write(&path, "old").unwrap();
+    fs::hard_link(&path, &other).unwrap();
+    write_atomically(&path, b"new").unwrap();
+    let texts = [path, other].map(|path| fs::read_to_string(path).unwrap());
+    assert_eq!(texts, ["new", "old"]);
+}
+
 #[test]
 fn json_ends_its_last_line() {
     let folder = tempfile::tempdir().unwrap();

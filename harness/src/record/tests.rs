@@ -148,10 +148,12 @@ fn a_frame_pays_for_capture_prepare_and_shade() {
         solve: phase(100.0),
         capture: phase(4.0),
         compile: phase(500.0),
-        prepare: None,
+        prepare: phase(2.0),
         shade: phase(1.0),
         readback: phase(30.0),
     };
+    assert_eq!(phases.frame_ms(), Some(7.0));
+    phases.prepare = None;
     assert_eq!(phases.frame_ms(), Some(5.0));
     phases.shade = None;
     assert_eq!(phases.frame_ms(), None);

@@ -1,11 +1,13 @@
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use super::*;
+use crate::oracles::polygon::polygon_irradiance;
 use crate::tolerance::Tolerance;
 use glam::Vec3;
 use interreflect_cpu::path_tracer::LightPaths;
+use interreflect_scene::conventions::{CUBE_FACES, cube_vector};
 use interreflect_scene::load::{SceneRequest, open};
-use interreflect_scene::{Environment, Point, Scene, SurfaceMaterial};
+use interreflect_scene::{Environment, Mesh, Point, Role, Scene, SurfaceMaterial};
 use std::f64::consts::PI;
 use std::path::Path;
 
@@ -85,6 +87,59 @@ fn reproduces_exact_irradiance_in_a_box() {
             cause: "nodes that the horizon cuts count by their centre",
         },
     );
+}
+
+/// The box [−1, 1]³ with six constant walls, made here, against the polygons that the walls are.
+#[test]
+fn sees_every_wall_of_a_box() {
+    let mut scene = open(&SceneRequest::new("furnace")).unwrap();
+    let mut mesh = Mesh::default();
+    let squares = |face| {
+        let corners = [(-1.0, -1.0), (-1.0, 1.0), (1.0, 1.0), (1.0, -1.0)];
+        corners.map(|(s, t)| cube_vector(face, s, t))
+    };
+    for face in 0..CUBE_FACES {
+        let first = mesh.positions.len() as u32;
+        mesh.positions.extend(squares(face).map(|c| c.as_vec3()));
+        // The fronts face inwards.
+        mesh.triangles.push([first, first + 2, first + 1]);
+        mesh.triangles.push([first, first + 3, first + 2]);
+        mesh.materials.extend([face as u32; 2]);
+    }
+    scene.objects.truncate(1);
+    scene.objects[0].role = Role::Environment;
+    scene.objects[0].mesh = mesh;
+    let radiances = [1.0, 0.2, 0.5, 0.8, 0.3, 0.6];
+    scene.materials = radiances.map(|l| Material::emitter(Vec3::splat(l))).into();
+    scene.lights.clear();
+    scene.reference_point = Vec3::new(0.2, -0.1, 0.3);
+    let points: Vec<Point> = (0..100)
+        .map(|i| {
+            let [u, v, w] = [0.754_877, 0.569_840, 0.430_160].map(|step| (step * i as f32).fract());
+            let normal = Vec3::new(v - 0.5, w - 0.5, u - 0.51).normalize();
+            Point {
+                position: 1.6 * Vec3::new(u, v, w) - 0.8,
+                normal,
+                ..Point::default()
+            }
+        })
+        .collect();
+    let model = OwnModel::VisibleFromReference { bounces: 0 };
+    let computed = values(model, Quantity::Irradiance, &scene, &points).values;
+    let tolerance = Tolerance {
+        absolute: 0.0,
+        relative: 2e-3,
+        cause: "parts of patches on the wrong wall along the edges, seen from 0.2 m",
+    };
+    for (point, value) in points.iter().zip(computed.iter()) {
+        let (x, n) = (point.position.as_dvec3(), point.normal.as_dvec3());
+        let wall = |face: usize| {
+            let seen = squares(face).map(|corner| corner - x);
+            f64::from(radiances[face]) * polygon_irradiance(n, &seen)
+        };
+        let exact = (0..CUBE_FACES).map(wall).sum();
+        assert_eq!(tolerance.check(value.x.into(), exact), Ok(()), "{point:?}");
+    }
 }
 
 /// A point that reflects by its lobe alone, in a constant environment: the reflectance by a

@@ -8,6 +8,7 @@ mod costs;
 mod environment_maps;
 mod errata;
 mod form_factors;
+mod frames;
 mod ladder;
 mod moved;
 mod openness;
@@ -39,6 +40,7 @@ fn main() {
         parity::trials(),
         ladder::trials(),
         moved::trials(),
+        frames::trials(),
         bounces::trials(),
         errata::trials(),
         form_factors::trials(),

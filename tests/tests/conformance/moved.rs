@@ -8,9 +8,9 @@ use crate::world::{
 use glam::Vec3;
 use interreflect::measure::measure;
 use interreflect_cpu::scene::CpuScene;
-use interreflect_estimators::stage::Stage;
-use interreflect_estimators::{Changed, Inputs};
-use interreflect_scene::{Points, Scene};
+use interreflect_estimators::stage::{Placed, Stage};
+use interreflect_estimators::{Backend, Changed, Inputs, Quantity, Session};
+use interreflect_scene::{Estimate, Points, Role, Scene};
 use libtest_mimic::{Failed, Trial};
 use std::sync::Arc;
 
@@ -29,6 +29,7 @@ pub(crate) fn trials() -> Vec<Trial> {
         trials.push(Trial::test(format!("{name}/cpu"), move || {
             let subject = &SUBJECTS[0];
             points_move(&cpu_stage(subject), subject, &one)?;
+            captures_change(&one, |s| Ok(cpu_stage(s)))?;
             kept_or_not(&one, |s| Ok(cpu_stage(s)))?;
             shared(&one, |s| Ok(cpu_stage(s)))
         }));
@@ -36,6 +37,7 @@ pub(crate) fn trials() -> Vec<Trial> {
             trials.push(on_gpu(format!("{name}/gpu"), move |context| {
                 let subject = &SUBJECTS[0];
                 points_move(&gpu_stage(context, subject)?, subject, &variant)?;
+                captures_change(&variant, |s| gpu_stage(context, s))?;
                 kept_or_not(&variant, |s| gpu_stage(context, s))?;
                 shared(&variant, |s| gpu_stage(context, s))
             }));
@@ -72,16 +74,67 @@ fn points_move<S: Stage>(stage: &S, subject: &Subject, variant: &Variant) -> Out
     for (points, changed) in [(&before, Changed::ALL), (&after, Changed::POINTS)] {
         let mut placed = stage.place(points)?;
         let inputs = Inputs::new(&needs, &captures, &placed.points, points, origin, changed);
-        stage.timed("prepare", &mut |cx| {
-            session.prepare(cx, quantity, &inputs, &placed.out)
-        })?;
-        stage.timed("shade", &mut |cx| {
-            session.shade(cx, quantity, &inputs, &mut placed.out)
-        })?;
-        last = Some(stage.read_back(&placed.out)?.0);
+        last = Some(frame(
+            stage,
+            &mut *session,
+            quantity,
+            &inputs,
+            &mut placed.out,
+        )?);
     }
     let moved = last.ok_or("nothing was shaded")?;
     Ok(same_bits(&fresh, moved.iter()).map_err(|e| format!("moved points: {e}"))?)
+}
+
+/// A session's next frame.
+fn frame<S: Stage>(
+    stage: &S,
+    session: &mut dyn Session<S::Backend>,
+    quantity: Quantity,
+    inputs: &Inputs<'_, S::Backend>,
+    out: &mut <S::Backend as Backend>::Out,
+) -> Result<Estimate, Failed> {
+    stage.timed("prepare", &mut |cx| {
+        session.prepare(cx, quantity, inputs, out)
+    })?;
+    stage.timed("shade", &mut |cx| session.shade(cx, quantity, inputs, out))?;
+    Ok(stage.read_back(out)?.0)
+}
+
+/// A session prepared once, whose scene then changes around the same points, gives what a fresh one
+/// gives.
+fn captures_change<S: Stage>(
+    variant: &Variant,
+    stage: impl Fn(&Subject) -> Result<S, Failed>,
+) -> Outcome {
+    let after: &Subject = &SUBJECTS[0];
+    let before = changed(after, |scene| {
+        scene.objects.retain(|o| o.role == Role::Environment);
+        for material in &mut scene.materials {
+            material.albedo *= 0.5;
+            material.emission *= 0.5;
+        }
+    })?;
+    let points = after.points(variant.quantity.layout());
+    let mut session = stage(after)?.open(&*variant.method)?;
+    let Placed {
+        points: placed,
+        mut out,
+    } = stage(after)?.place(&points)?;
+    let mut shade = |subject: &Subject, changed| {
+        let (stage, scene) = (stage(subject)?, subject.cpu.scene());
+        let facts = scene.facts();
+        let needs = variant.method.needs(variant.quantity, &facts)?;
+        let captures = captures(&stage, subject, variant)?;
+        let origin = (facts, scene.capture_origin(needs.keep_within_m));
+        let inputs = Inputs::new(&needs, &captures, &placed, &points, origin, changed);
+        frame(&stage, &mut *session, variant.quantity, &inputs, &mut out)
+    };
+    let first = shade(&before, Changed::ALL)?;
+    let then = shade(after, Changed::SCENE)?;
+    ensure!(first != then, "the change does not show");
+    let fresh = run(&stage(after)?, after, variant, &points)?;
+    Ok(same_bits(&fresh, then.iter()).map_err(|e| format!("captures changed: {e}"))?)
 }
 
 /// Within the distance the captures of before are used, and none are paid for; beyond it fresh ones

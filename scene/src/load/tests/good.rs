@@ -37,6 +37,16 @@ fn a_scene_file_says_what_it_says() {
             angle_deg = 90
             flux = [2.0943951, 0, 0]
             [[light]]
+            kind = "point"
+            position = [0, 1, 0]
+            flux = [12.566371, 0, 0]
+            [[light]]
+            kind = "spot"
+            position = [0, 1, 0]
+            direction = [0, -1, 0]
+            angle_deg = 120
+            flux = [3.1415927, 0, 0]
+            [[light]]
             kind = "environment"
             constant = [1, 1, 1]
             scale = 2
@@ -84,8 +94,15 @@ fn a_scene_file_says_what_it_says() {
         (direction, up, shape),
         (Vec3::NEG_Y, Vec3::Z, SpotShape::Square)
     );
-    // A square frustum of 90° is a sixth of the sphere, 2π/3 sr.
+    // A square frustum of 90° is a sixth of the sphere, 2π/3 sr; a point light fills it with its 4π sr,
+    // a cone of 120° has π sr.
     assert!((intensity.x - 1.0).abs() < 1e-6);
+    for light in &scene.lights[1..] {
+        let (Light::Point { intensity, .. } | Light::Spot { intensity, .. }) = light else {
+            panic!("neither a point nor a spot light: {light:?}");
+        };
+        assert!((intensity.x - 1.0).abs() < 1e-6, "{light:?}");
+    }
     assert_eq!(
         scene.environment.unwrap().radiance(Vec3::X),
         Vec3::splat(2.0)
