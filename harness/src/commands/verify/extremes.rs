@@ -109,16 +109,20 @@ fn text(rows: &[Row]) -> String {
     let mut header = vec!["estimator".to_owned(), "on".to_owned()];
     header.extend(named);
     let mut lines = table::plain(&header);
-    let mut rest = rows;
-    while let Some(first) = rest.first() {
-        let key = |r: &Row| (r.estimator, r.fidelity, r.backend);
-        let count = rest.iter().take_while(|r| key(r) == key(first)).count();
-        let (group, others) = rest.split_at(count);
-        rest = others;
-        let fidelity = first.fidelity.map(|f| format!("\n  {f}"));
-        let name = first.estimator.to_owned() + &fidelity.unwrap_or_default();
-        let mut cells = vec![name, first.backend.to_string()];
-        cells.extend(axes.iter().map(|axis| worst(group, axis)));
+    let key = |r: &Row| (r.estimator, r.fidelity, r.backend);
+    let mut keys = Vec::new();
+    for row in rows {
+        if !keys.contains(&key(row)) {
+            keys.push(key(row));
+        }
+    }
+    for group in keys {
+        let (estimator, fidelity, backend) = group;
+        let fidelity = fidelity.map(|f| format!("\n  {f}"));
+        let name = estimator.to_owned() + &fidelity.unwrap_or_default();
+        let mut cells = vec![name, backend.to_string()];
+        let of_group: Vec<&Row> = rows.iter().filter(|r| key(r) == group).collect();
+        cells.extend(axes.iter().map(|axis| worst(&of_group, axis)));
         lines.add_row(cells);
     }
     let mut text = format!(
@@ -135,13 +139,14 @@ fn text(rows: &[Row]) -> String {
 }
 
 /// The largest error of a group on an axis; with a mark where something failed.
-fn worst(group: &[Row], axis: &str) -> String {
+fn worst(group: &[&Row], axis: &str) -> String {
     let on_axis = || group.iter().filter(|r| r.axis == axis);
     let worst = on_axis().filter_map(|r| r.relative_error).reduce(f64::max);
     let failed = on_axis().any(|r| r.verdict == Verdict::Failed.name());
     let mark = if failed { "!" } else { "" };
     match worst {
         Some(error) => format!("{error:.0e}{mark}"),
+        None if on_axis().any(|r| r.largest.is_some()) => format!("finite{mark}"),
         None if on_axis().any(|r| r.verdict == Verdict::Passed.name()) => format!("refused{mark}"),
         None => format!("–{mark}"),
     }
