@@ -107,7 +107,11 @@ fn captures_change<S: Stage>(
     variant: &Variant,
     stage: impl Fn(&Subject) -> Result<S, Failed>,
 ) -> Outcome {
-    let after: &Subject = &SUBJECTS[0];
+    // In the closed room nothing is open, whatever stands in it.
+    let after: &Subject = match variant.quantity {
+        Quantity::AmbientOcclusion => &SUBJECTS[2],
+        _ => &SUBJECTS[0],
+    };
     let before = changed(after, |scene| {
         scene.objects.retain(|o| o.role == Role::Environment);
         for material in &mut scene.materials {
