@@ -1,4 +1,5 @@
-//! Measures real-time indirect-illumination estimators: bench, render, probe, reference, compare.
+//! Measures real-time indirect-illumination estimators: bench, render, probe, reference,
+//! compare, verify.
 //!
 //! [`run`] is the whole program: hand it a registry with methods of your own and they get the
 //! command line, the comparison and the report.

@@ -38,10 +38,10 @@ pub(super) fn svg(rows: &[Row]) -> Result<String, Failure> {
     Ok(svg)
 }
 
-/// Axes that go over more than a few places: those of numbers.
+/// Axes that have errors at more than a few places: those of numbers.
 fn axes(rows: &[Row]) -> Vec<&str> {
     let mut axes: Vec<(&str, Vec<f64>)> = Vec::new();
-    for row in rows {
+    for row in rows.iter().filter(|r| r.relative_error.is_some()) {
         match axes.iter_mut().find(|(axis, _)| *axis == row.axis) {
             Some((_, values)) if !values.contains(&row.value) => values.push(row.value),
             Some(_) => {}
