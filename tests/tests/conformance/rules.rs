@@ -1,4 +1,5 @@
-//! What every estimator must keep to, in scenes of the library, a box and the open.
+//! What every estimator must keep to, in two scenes of the library and in the open; `verify` tries it in
+//! a box.
 
 use crate::ensure;
 use crate::subjects::{SUBJECTS, Subject};
@@ -9,7 +10,7 @@ use libtest_mimic::Trial;
 pub(crate) fn trials() -> Vec<Trial> {
     let mut trials = Vec::new();
     for variant in variants(32) {
-        for subject in &SUBJECTS {
+        for subject in [&SUBJECTS[1], &SUBJECTS[2], &SUBJECTS[4]] {
             let name = format!("rules/{}/{}", subject.name, variant.name());
             if let Some(why) = variant.unsupported(subject) {
                 trials.push(ignored(name, &why));
