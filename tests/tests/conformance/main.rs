@@ -7,6 +7,7 @@ mod bounces;
 mod costs;
 mod environment_maps;
 mod errata;
+mod extremes;
 mod form_factors;
 mod frames;
 mod ladder;
@@ -36,6 +37,7 @@ fn main() {
         twins::trials(),
         rules::trials(),
         verify::trials(),
+        extremes::trials(),
         costs::trials(),
         parity::trials(),
         ladder::trials(),

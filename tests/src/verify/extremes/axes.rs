@@ -39,9 +39,9 @@ fn decades(first: i32, last: i32, step: usize) -> Vec<f64> {
 }
 
 /// Nothing, then powers of ten.
-fn from_nothing(first: i32, last: i32) -> Vec<f64> {
+fn from_nothing(first: i32, last: i32, step: usize) -> Vec<f64> {
     std::iter::once(0.0)
-        .chain(decades(first, last, 1))
+        .chain(decades(first, last, step))
         .collect()
 }
 
@@ -55,13 +55,13 @@ pub(super) fn all() -> Vec<Axis> {
         place,
     };
     vec![
-        axis("scale", "m", || decades(-6, 6, 1), scale),
-        axis("radiance", "W/(m² sr)", || decades(-30, 30, 5), radiance),
-        axis("gap", "m", || from_nothing(-7, -1), gap),
+        axis("scale", "m", || decades(-6, 6, 2), scale),
+        axis("radiance", "W/(m² sr)", || decades(-30, 30, 10), radiance),
+        axis("gap", "m", || from_nothing(-7, -1, 1), gap),
         axis(
             "from_reference",
             "m",
-            || from_nothing(-7, -1),
+            || from_nothing(-7, -1, 2),
             from_reference,
         ),
         axis(
@@ -70,12 +70,12 @@ pub(super) fn all() -> Vec<Axis> {
             || vec![0.0, 1.0, 2.0],
             on_texel,
         ),
-        axis("grazing", "cosine", || from_nothing(-8, 0), grazing),
-        axis("sliver", "m", || from_nothing(-7, 0), sliver),
+        axis("grazing", "cosine", || from_nothing(-8, 0, 2), grazing),
+        axis("sliver", "m", || from_nothing(-7, -1, 2), sliver),
         axis("texels", "a side", || vec![1.0, 2.0, 3.0], texels),
         Axis {
             bounded: false,
-            ..axis("shininess", "exponent", || from_nothing(0, 5), shininess)
+            ..axis("shininess", "exponent", || from_nothing(0, 5, 1), shininess)
         },
         Axis {
             refusable: true,
