@@ -228,7 +228,7 @@ fn reproduction(
         .and_then(|f| f.counterexample.as_ref());
     match case {
         Some(case) => words + &format!(" --case '{case}'"),
-        None => words,
+        None => words + &format!(" --cases {} --seed {}", command.cases, command.run.seed),
     }
 }
 

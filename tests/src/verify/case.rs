@@ -1,5 +1,6 @@
 //! Random worlds that shrink towards simple ones, and can be written down and read again.
 
+use super::answers::{orientations, within};
 use super::world::{Lighting, Placement, World};
 use glam::{DVec3, Vec3};
 use interreflect_scene::{Point, SceneFacts, SurfaceMaterial};
@@ -99,6 +100,19 @@ impl Case {
                 lamp,
                 points,
             })
+    }
+
+    /// One whose walls all differ, with so many points all over it.
+    pub(super) fn unequal(points: usize) -> Self {
+        let place = |(i, n): (usize, DVec3)| [within(i), n.as_vec3().to_array()];
+        Self {
+            half: [1.2, 0.9, 1.0],
+            walls: [0.9, 0.3, 0.6, 0.75, 0.4, 0.5],
+            sky: [0.3, -0.4, 0.2],
+            reference: [0.17, -0.12, 0.26],
+            lamp: [0.21, 0.33, -0.14],
+            points: orientations(points).enumerate().map(place).collect(),
+        }
     }
 
     /// The world that it tells of.

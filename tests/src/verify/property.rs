@@ -167,12 +167,19 @@ impl Property {
         cause: &str,
         cases: usize,
     ) -> Found {
-        let found = (self.violation)(subject, &case.world(lighting))?;
+        let (value, what) = match (self.violation)(subject, &case.world(lighting)) {
+            Ok(found) => (found.value, format!("worst at point {}", found.point)),
+            Err(VerifyError::Unsupported(why)) => return Err(why.into()),
+            // No number, or no estimate at all: beyond every bound.
+            Err(broken) => (f64::INFINITY, broken.to_string()),
+        };
+        let parts = [cause, &what];
+        let parts: Vec<&str> = parts.into_iter().filter(|p| !p.is_empty()).collect();
         let finding = Finding {
-            value: found.value,
+            value,
             bound,
             cases,
-            note: format!("{cause}; worst at point {}", found.point),
+            note: parts.join("; "),
             counterexample: None,
         };
         Ok(Finding {

@@ -3,11 +3,10 @@
 mod captures;
 mod points;
 
-use super::answers::{orientations, within};
 use super::case::Case;
 use super::world::{Lighting, World};
 use super::{Asked, Checked, Finding, Found, Nothing, Subject, judged};
-use glam::{DVec3, Vec3};
+use glam::Vec3;
 use interreflect_scene::{Points, Scene};
 
 /// A rule: how often it was broken in so many cases, and where first.
@@ -98,16 +97,7 @@ fn finding(broken: Broken) -> Found {
 /// A world of unequal walls, with more points than a block of 64, and not a multiple of sixteen.
 fn world(subject: &Subject<'_>) -> World {
     const POINTS: usize = 203;
-    let place = |(i, n): (usize, DVec3)| [within(i), n.as_vec3().to_array()];
-    let case = Case {
-        half: [1.2, 0.9, 1.0],
-        walls: [0.9, 0.3, 0.6, 0.75, 0.4, 0.5],
-        sky: [0.3, -0.4, 0.2],
-        reference: [0.17, -0.12, 0.26],
-        lamp: [0.21, 0.33, -0.14],
-        points: orientations(POINTS).enumerate().map(place).collect(),
-    };
-    case.world(Lighting::of(subject.model(), subject.quantity))
+    Case::unequal(POINTS).world(Lighting::of(subject.model(), subject.quantity))
 }
 
 fn same_bits(a: Vec3, b: Vec3) -> bool {

@@ -158,7 +158,7 @@ impl World {
         let (axis, s, t) = cube_frame(face);
         let corners = [-s - t, s - t, s + t, t - s];
         let corners = corners.map(|c| (axis + c * f64::from(size)).as_vec3() * self.half);
-        let along = |c: Vec3| self.reference + (c - self.reference) * self.reach[face];
+        let along = |c: Vec3| c + (c - self.reference) * (self.reach[face] - 1.0);
         (size > 0.0).then(|| corners.map(|c| self.placement.at(along(c))))
     }
 

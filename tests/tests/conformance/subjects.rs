@@ -3,11 +3,11 @@
 use crate::ensure;
 use glam::{DVec3, Vec3};
 use interreflect::view::View;
+use interreflect_conformance::verify::{Lighting, Placement, World};
 use interreflect_cpu::scene::CpuScene;
-use interreflect_scene::conventions::{CUBE_FACES, cube_frame};
 use interreflect_scene::{
-    Camera, Environment, Estimate, LatLongImage, Material, Mesh, Object, Point, PointLayout,
-    Points, Role, Scene, SceneMotion, SceneRequest, SurfaceMaterial,
+    Environment, Estimate, LatLongImage, Point, PointLayout, Points, Scene, SceneRequest,
+    SurfaceMaterial,
 };
 use std::path::PathBuf;
 use std::sync::{Arc, LazyLock};
@@ -94,38 +94,19 @@ pub(crate) const ROOM_RADIANCES: [f32; 6] = [1.0, 0.2, 0.5, 0.8, 0.3, 0.6];
 
 /// The box [−1, 1]³ with walls that emit inwards, in the order of cube faces.
 pub(crate) fn room(radiances: [f32; 6], reference_point: Vec3) -> Scene {
-    let mut mesh = Mesh::default();
-    for face in 0..CUBE_FACES {
-        let (axis, s, t) = cube_frame(face);
-        let first = mesh.positions.len() as u32;
-        let corners = [-s - t, s - t, s + t, t - s].map(|c| (axis + c).as_vec3());
-        mesh.positions.extend(corners);
-        mesh.triangles.push([first, first + 1, first + 2]);
-        mesh.triangles.push([first, first + 2, first + 3]);
-        mesh.materials.extend([face as u32; 2]);
-    }
-    Scene {
-        name: "box".into(),
-        objects: vec![Object {
-            name: "walls".into(),
-            role: Role::Environment,
-            mesh,
-            motion: None,
-        }],
-        materials: radiances.map(|l| Material::emitter(Vec3::splat(l))).into(),
-        lights: Vec::new(),
-        environment: None,
-        camera: Camera {
-            eye: Vec3::new(0.0, 0.0, 0.9),
-            target: Vec3::ZERO,
-            up: Vec3::Y,
-            vfov_deg: 60.0,
-            resolution: [16, 16],
-        },
-        reference_point,
-        captured_at: None,
-        motion: SceneMotion::default(),
-    }
+    let world = World {
+        lighting: Lighting::Walls,
+        half: Vec3::ONE,
+        walls: radiances.map(Vec3::splat),
+        specks: false,
+        reach: [1.0; 6],
+        sky: Vec3::ZERO,
+        reference: reference_point,
+        lamp: Vec3::ZERO,
+        points: Vec::new(),
+        placement: Placement::NONE,
+    };
+    world.scene()
 }
 
 /// A box on the CPU, with these points.

@@ -1,6 +1,5 @@
 //! What is taken to its extreme, and where on each axis.
 
-use crate::verify::answers::{orientations, within};
 use crate::verify::world::{Lighting, Placement, World};
 use crate::verify::{Case, Subject};
 use glam::{DVec3, Mat3, Vec3};
@@ -100,16 +99,7 @@ fn normal_lengths() -> Vec<f64> {
 
 /// A box of unequal walls with points all over it.
 fn world(lighting: Lighting) -> World {
-    let place = |(i, n): (usize, DVec3)| [within(i), n.as_vec3().to_array()];
-    let case = Case {
-        half: [1.2, 0.9, 1.0],
-        walls: [0.9, 0.3, 0.6, 0.75, 0.4, 0.5],
-        sky: [0.3, -0.4, 0.2],
-        reference: [0.17, -0.12, 0.26],
-        lamp: [0.21, 0.33, -0.14],
-        points: orientations(48).enumerate().map(place).collect(),
-    };
-    case.world(lighting)
+    Case::unequal(48).world(lighting)
 }
 
 fn place(subject: &Subject<'_>, world: &World) -> Place {
