@@ -202,7 +202,8 @@ impl Property {
 fn runner(subject: &Subject<'_>) -> TestRunner {
     let config = Config {
         cases: subject.cases,
-        max_shrink_iters: u32::MAX,
+        // No more than `SHRINKING` of them are tried; the largest number would mean four a case.
+        max_shrink_iters: u32::MAX - 1,
         max_local_rejects: 1,
         max_global_rejects: 1,
         failure_persistence: None,
