@@ -10,6 +10,7 @@ pub use gpu::GpuStage;
 pub use once::{captured, estimated};
 
 use crate::{Backend, Captures, Configured, EstimatorError, Session, Unsupported};
+use interreflect_gpu::{GpuTime, Mistimed};
 use interreflect_scene::{Environment, Estimate, Needs, Points, Scene};
 use std::time::Instant;
 
@@ -42,13 +43,13 @@ pub trait Stage {
     fn solve(&self, needs: &Needs) -> Result<Option<f64>, EstimatorError>;
 
     /// Makes every capture that is needed, those that would be kept too, where they were made;
-    /// milliseconds, without those of [`Stage::solve`].
+    /// the time is without that of [`Stage::solve`].
     ///
     /// # Errors
     /// [`EstimatorError`] if the backend refuses.
-    fn capture(&self, needs: &Needs) -> Result<(Captures<Self::Backend>, f64), EstimatorError>;
+    fn capture(&self, needs: &Needs) -> Result<(Captures<Self::Backend>, Elapsed), EstimatorError>;
 
-    /// Runs one phase to its end; milliseconds.
+    /// Runs one phase to its end.
     ///
     /// # Errors
     /// [`EstimatorError`] if the work fails or the backend refuses.
@@ -56,7 +57,7 @@ pub trait Stage {
         &self,
         label: &str,
         work: &mut Phase<'_, Self::Backend>,
-    ) -> Result<f64, EstimatorError>;
+    ) -> Result<Elapsed, EstimatorError>;
 
     /// Brings the estimate to the host; milliseconds, or `None` where it is there already.
     ///
@@ -70,8 +71,45 @@ pub trait Stage {
     /// Milliseconds spent compiling so far, or `None` where nothing is compiled.
     fn compiled_ms(&self) -> Option<f64>;
 
-    /// Whether all phases so far were timed by the device's own clock.
-    fn device_clock(&self) -> bool;
+    /// Bytes of all that was made on the device so far; `None` where all is in the host's memory.
+    fn made_bytes(&self) -> Option<u64>;
+}
+
+/// How long a phase took.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Elapsed {
+    /// Milliseconds by the host's clock, from the start of the work to its completion.
+    pub wall_ms: f64,
+    /// Milliseconds by the device's own clock, or why it did not time the work; `None` where the host
+    /// does the work.
+    pub device_ms: Option<Result<f64, Mistimed>>,
+}
+
+impl Elapsed {
+    /// Time of work on the host that began then.
+    pub fn since(start: Instant) -> Self {
+        Self {
+            wall_ms: milliseconds(start),
+            device_ms: None,
+        }
+    }
+
+    /// Milliseconds by the better clock that there is.
+    pub fn ms(&self) -> f64 {
+        match self.device_ms {
+            Some(Ok(ms)) => ms,
+            _ => self.wall_ms,
+        }
+    }
+}
+
+impl From<GpuTime> for Elapsed {
+    fn from(time: GpuTime) -> Self {
+        Self {
+            wall_ms: time.wall_ms,
+            device_ms: Some(time.device_ms),
+        }
+    }
 }
 
 /// Points and room for their estimate on a backend.

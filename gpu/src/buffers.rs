@@ -2,6 +2,7 @@
 
 use crate::{GpuContext, GpuError};
 use bytemuck::Pod;
+use std::sync::atomic::Ordering;
 
 impl GpuContext {
     /// A uniform buffer with this content; rewritten by [`GpuContext::write`].
@@ -63,6 +64,8 @@ impl GpuContext {
                 max,
             });
         }
+        self.made_bytes
+            .fetch_add(texture_bytes(descriptor), Ordering::Relaxed);
         self.checked(what, || self.device().create_texture(descriptor))
     }
 
@@ -124,15 +127,27 @@ impl GpuContext {
                 max,
             });
         }
-        self.checked(label, || {
-            self.device().create_buffer(&wgpu::BufferDescriptor {
-                label: Some(label),
-                // Empty buffers can't be bound.
-                size: bytes.max(wgpu::COPY_BUFFER_ALIGNMENT),
-                usage: usage | wgpu::BufferUsages::COPY_DST,
-                mapped_at_creation: false,
-            })
+        self.buffer(&wgpu::BufferDescriptor {
+            label: Some(label),
+            // Empty buffers can't be bound.
+            size: bytes.max(wgpu::COPY_BUFFER_ALIGNMENT),
+            usage: usage | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
         })
+    }
+
+    /// A buffer.
+    ///
+    /// # Errors
+    /// [`GpuError`] if the device refuses the size or usage, or has no room.
+    pub fn buffer(
+        &self,
+        descriptor: &wgpu::BufferDescriptor<'_>,
+    ) -> Result<wgpu::Buffer, GpuError> {
+        let what = descriptor.label.unwrap_or("a buffer");
+        self.made_bytes
+            .fetch_add(descriptor.size, Ordering::Relaxed);
+        self.checked(what, || self.device().create_buffer(descriptor))
     }
 
     fn check_binding_size(&self, what: &str, bytes: u64) -> Result<(), GpuError> {
@@ -149,3 +164,16 @@ impl GpuContext {
 }
 
 const STORAGE: wgpu::BufferUsages = wgpu::BufferUsages::STORAGE.union(wgpu::BufferUsages::COPY_SRC);
+
+/// Bytes of a texture's texels at all its levels and samples.
+fn texture_bytes(descriptor: &wgpu::TextureDescriptor<'_>) -> u64 {
+    let format = descriptor.format;
+    let aspect = (format.is_depth_stencil_format()).then_some(wgpu::TextureAspect::DepthOnly);
+    let texel = format.block_copy_size(aspect).unwrap_or(4);
+    let texels = |level: u32| {
+        let size = descriptor.size.mip_level_size(level, descriptor.dimension);
+        u64::from(size.width) * u64::from(size.height) * u64::from(size.depth_or_array_layers)
+    };
+    let texels: u64 = (0..descriptor.mip_level_count).map(texels).sum();
+    texels * u64::from(texel) * u64::from(descriptor.sample_count)
+}

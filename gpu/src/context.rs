@@ -4,6 +4,7 @@ use crate::{
     AdapterInfo, CacheStats, GpuError, adapter, pipeline::PipelineCache, readback::Staging,
     timestamps::TimestampPool,
 };
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, OnceLock};
 
 /// An open device with its queue, pipeline cache, timestamps and read-back buffer.
@@ -15,6 +16,7 @@ pub struct GpuContext {
     pub(crate) staging: Mutex<Staging>,
     pub(crate) timestamps: TimestampPool,
     lost: Arc<OnceLock<String>>,
+    pub(crate) made_bytes: AtomicU64,
 }
 
 impl GpuContext {
@@ -65,6 +67,7 @@ impl GpuContext {
             device,
             queue,
             lost,
+            made_bytes: AtomicU64::new(0),
         })
     }
 
@@ -83,9 +86,9 @@ impl GpuContext {
         &self.queue
     }
 
-    /// Whether times come from the device's own timestamps; from the host's clock if not.
-    pub fn device_clock(&self) -> bool {
-        self.timestamps.available()
+    /// Bytes of all buffers and textures that were made so far; what was dropped since counts too.
+    pub fn made_bytes(&self) -> u64 {
+        self.made_bytes.load(Ordering::Relaxed)
     }
 
     /// Pipelines built so far.

@@ -1,6 +1,6 @@
 //! Recording work.
 
-use crate::{GpuContext, GpuError, GpuTime, TimeSource};
+use crate::{GpuContext, GpuError, GpuTime, Mistimed};
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -84,30 +84,20 @@ impl GpuContext {
             timestamps.start(&mut cx.encoder);
         }
         let value = work(&mut cx)?;
+        let worked = !cx.passes.is_empty();
         if let Some(timestamps) = &timestamps {
             timestamps.end(&mut cx.encoder);
         }
         self.wait(self.queue().submit([cx.encoder.finish()]))?;
         let wall_ms = start.elapsed().as_secs_f64() * 1e3;
-        let measured = match timestamps {
-            None => None,
+        let device_ms = match timestamps {
+            None => Err(Mistimed::NoClock),
             Some(timestamps) => {
-                let ms = timestamps.read_ms(self)?;
+                let ms = timestamps.read(self, worked, wall_ms)?;
                 self.timestamps.give_back(timestamps);
                 ms
             }
         };
-        // The work ran within the wall clock's span: a longer time is a clock that can't be trusted.
-        let time = match measured.filter(|&ms| ms <= wall_ms) {
-            Some(ms) => GpuTime {
-                ms,
-                source: TimeSource::Timestamp,
-            },
-            None => GpuTime {
-                ms: wall_ms,
-                source: TimeSource::WallClock,
-            },
-        };
-        Ok((value, time))
+        Ok((value, GpuTime { wall_ms, device_ms }))
     }
 }

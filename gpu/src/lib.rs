@@ -42,7 +42,7 @@ pub use pipeline::{CacheStats, Constants};
 pub use points::{GpuEstimate, GpuPoints, workgroup_grid};
 pub use scene::GpuScene;
 pub use shader::{Shader, validate};
-pub use timestamps::{GpuTime, TimeSource};
+pub use timestamps::{GpuTime, Mistimed};
 
 /// Every shader of this crate.
 pub fn shaders() -> [Shader; 4] {

@@ -1,34 +1,57 @@
 //! Times of recorded work, by the GPU's own clock where it has one.
 
 use crate::{GpuContext, GpuError};
-use std::fmt;
 use std::sync::{Mutex, PoisonError};
 
 /// How long recorded work took.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GpuTime {
-    /// Milliseconds from the start of the first submission to the end of the last.
-    pub ms: f64,
-    /// The clock.
-    pub source: TimeSource,
+    /// Milliseconds by the host's clock, from the start of recording to completion: includes the
+    /// overhead of recording, submitting and waiting.
+    pub wall_ms: f64,
+    /// Milliseconds by the GPU's clock, from the start of the first submission to the end of the last,
+    /// or why there are none.
+    pub device_ms: Result<f64, Mistimed>,
 }
 
-/// The clock that measured a [`GpuTime`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum TimeSource {
-    /// Timestamps of the GPU: the work alone.
-    Timestamp,
-    /// The host's clock from submission to completion, where the GPU has no timestamps or they
-    /// contradict it: includes the overhead of recording, submitting and waiting.
-    WallClock,
+impl GpuTime {
+    /// Milliseconds by the better clock that there is.
+    pub fn ms(&self) -> f64 {
+        self.device_ms.unwrap_or(self.wall_ms)
+    }
 }
 
-impl fmt::Display for TimeSource {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Timestamp => "GPU timestamps",
-            Self::WallClock => "wall clock",
-        })
+/// Why the GPU's clock did not time some work.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, thiserror::Error)]
+pub enum Mistimed {
+    /// The device has none.
+    #[error("the device has no timestamps")]
+    NoClock,
+    /// The end lies before the start.
+    #[error("the device's clock went backwards")]
+    Backwards,
+    /// Passes ran, and no time passed.
+    #[error("the device's clock stood still while work ran")]
+    Still,
+    /// Longer than the host waited for it.
+    #[error("the device's clock counted more time than passed")]
+    TooLong,
+}
+
+/// Judges the ticks of a start and an end: `worked` if passes ran between them, within `wall_ms`.
+fn device_ms(
+    start: u64,
+    end: u64,
+    tick_ms: f64,
+    worked: bool,
+    wall_ms: f64,
+) -> Result<f64, Mistimed> {
+    let ticks = end.checked_sub(start).ok_or(Mistimed::Backwards)?;
+    let ms = ticks as f64 * tick_ms;
+    match ms {
+        0.0 if worked => Err(Mistimed::Still),
+        ms if ms > wall_ms => Err(Mistimed::TooLong),
+        ms => Ok(ms),
     }
 }
 
@@ -61,10 +84,6 @@ impl TimestampPool {
             tick_ms: (device.features().contains(needed) && tick_ms > 0.0).then_some(tick_ms),
             free: Mutex::default(),
         }
-    }
-
-    pub(crate) fn available(&self) -> bool {
-        self.tick_ms.is_some()
     }
 
     /// A free pair, or a new one; `None` where the device has no timestamps.
@@ -121,17 +140,39 @@ impl Timestamps {
         encoder.resolve_query_set(&self.queries, query..query + 1, &self.resolved, offset);
     }
 
-    /// Milliseconds between start and end, once both have run; `None` if the clock went backwards.
-    pub(crate) fn read_ms(&self, context: &GpuContext) -> Result<Option<f64>, GpuError> {
-        let Some(tick_ms) = context.timestamps.tick_ms else {
-            return Ok(None);
-        };
+    /// Milliseconds between start and end, once both have run.
+    pub(crate) fn read(
+        &self,
+        context: &GpuContext,
+        worked: bool,
+        wall_ms: f64,
+    ) -> Result<Result<f64, Mistimed>, GpuError> {
         let words: Vec<u64> = context.read_buffer(&self.resolved)?;
         let ticks = |query: u32| words.get((u64::from(query) * STRIDE / 8) as usize);
-        let passed = match (ticks(START), ticks(END)) {
-            (Some(start), Some(end)) => end.checked_sub(*start),
-            _ => None,
-        };
-        Ok(passed.map(|t| t as f64 * tick_ms))
+        Ok(
+            match (context.timestamps.tick_ms, ticks(START), ticks(END)) {
+                (Some(tick_ms), Some(&start), Some(&end)) => {
+                    device_ms(start, end, tick_ms, worked, wall_ms)
+                }
+                _ => Err(Mistimed::NoClock),
+            },
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn impossible_times_are_refused() {
+        assert_eq!(device_ms(100, 350, 0.01, true, 3.0), Ok(2.5));
+        assert_eq!(
+            device_ms(350, 100, 0.01, true, 3.0),
+            Err(Mistimed::Backwards)
+        );
+        assert_eq!(device_ms(100, 100, 0.01, true, 3.0), Err(Mistimed::Still));
+        assert_eq!(device_ms(100, 100, 0.01, false, 3.0), Ok(0.0));
+        assert_eq!(device_ms(0, 350, 0.01, true, 3.0), Err(Mistimed::TooLong));
     }
 }

@@ -5,7 +5,7 @@ mod render;
 mod values;
 mod verify;
 
-pub use options::{Backends, ReferenceBudget, RunOptions, SceneOptions};
+pub use options::{Backends, ReferenceBudget, RunOptions, SceneOptions, TimingOptions};
 pub use render::{Render, Show};
 pub use values::{MaterialArg, Setting};
 pub use verify::Verify;
@@ -96,9 +96,9 @@ pub struct Bench {
     /// Number of points on the receivers of each scene
     #[arg(long, value_name = "COUNT", value_parser = count)]
     pub points: Option<usize>,
-    /// How often each run is timed
-    #[arg(long, value_name = "N", value_parser = count)]
-    pub repeat: Option<usize>,
+    /// How long each run is timed.
+    #[command(flatten)]
+    pub timing: TimingOptions,
     /// How precise the references are.
     #[command(flatten)]
     pub budget: ReferenceBudget,

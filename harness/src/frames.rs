@@ -79,7 +79,8 @@ impl<B: Backend> Frames<B> {
             Some(last) => (last.captures, 0.0),
             None => {
                 stage.solve(&needs)?;
-                stage.capture(&needs)?
+                let (captures, elapsed) = stage.capture(&needs)?;
+                (captures, elapsed.ms())
             }
         };
         let Placed {
@@ -91,15 +92,15 @@ impl<B: Backend> Frames<B> {
         inputs.seen = frame.seen;
         inputs.last_frame_ms = last_frame_ms;
         let session = &mut self.session;
-        let prepare_ms = stage.timed("prepare", &mut |cx| {
+        let prepare = stage.timed("prepare", &mut |cx| {
             session.prepare(cx, quantity, &inputs, &out)
         })?;
-        let shade_ms = stage.timed("shade", &mut |cx| {
+        let shade = stage.timed("shade", &mut |cx| {
             session.shade(cx, quantity, &inputs, &mut out)
         })?;
         let estimate = stage.read_back(&out)?.0;
         check_finite(method.info().id, &estimate, Some(points))?;
-        let ms = capture_ms + prepare_ms + shade_ms;
+        let ms = capture_ms + prepare.ms() + shade.ms();
         self.last = Some(Last {
             points: points.clone(),
             captures,

@@ -5,8 +5,10 @@
 //! command line, the comparison and the report.
 
 pub mod cli;
+pub mod clock;
 mod commands;
 pub mod error;
+mod footprint;
 mod format;
 pub mod frames;
 mod gallery;

@@ -1,27 +1,29 @@
 //! One method on one backend: captured, prepared and shaded, each phase timed.
 
+use crate::clock::Sampling;
 use crate::error::HarnessError;
+use crate::footprint::Footprint;
 use crate::metrics::check_finite;
-use crate::record::{Phases, Timing};
-use interreflect_estimators::stage::{Placed, Stage};
-use interreflect_estimators::{Backend, Changed, Configured, Inputs, Quantity};
+use crate::record::{Bytes, Phases, Timing};
+use interreflect_estimators::stage::{Elapsed, Placed, Stage};
+use interreflect_estimators::{Backend, Changed, Configured, EstimatorError, Inputs, Quantity};
 use interreflect_scene::{Estimate, Needs, Points, Scene};
+use std::time::Instant;
 
-/// An estimate and the time that it took.
+/// An estimate, the time that it took, and the memory.
 pub struct Measured {
     /// The quantity at each point.
     pub estimate: Estimate,
     /// Where the time went.
     pub phases: Phases,
+    /// What a frame holds.
+    pub bytes: Bytes,
     /// Captures that were declared and never read: empty for an honest method.
     pub unread: Needs,
 }
 
-/// Time after which a phase is not repeated further.
-const PATIENCE_MS: f64 = 1500.0;
-
-/// Runs a method `repeat` times, fewer where one time takes long; the first time warms up and
-/// counts only if there is no second.
+/// Runs a method, each phase as often as `sampling` says; the first time warms up and counts only if
+/// there is no second.
 ///
 /// # Errors
 /// [`HarnessError`] if the method can't run here, or estimates a number that is not finite.
@@ -31,24 +33,27 @@ pub fn measure<S: Stage>(
     method: &dyn Configured,
     quantity: Quantity,
     points: &Points,
-    repeat: usize,
+    sampling: &Sampling,
 ) -> Result<Measured, HarnessError> {
     let facts = scene.facts();
     let needs = method.needs(quantity, &facts)?;
     let mut session = stage.open(method)?;
+    let mut watch = Watch::new(stage, sampling);
+    let placing = watch.first(|| stage.place(points))?;
     let Placed {
         points: placed,
         mut out,
-    } = stage.place(points)?;
-    let mut compiled = Compiled::default();
+    } = placing.value;
 
     let solve_ms = stage.solve(&needs)?;
+    let first = watch.first(|| stage.capture(&needs))?;
+    let captured_bytes = first.bytes;
+    let (captures, elapsed) = first.value;
     // Captures that are kept were made before this frame: neither they nor their pipelines cost it.
     let kept = scene.keeps_captures(needs.keep_within_m);
-    let (captures, capture_ms) = if kept || needs.no_captures() {
-        (stage.capture(&needs)?.0, None)
-    } else {
-        compiled.repeat(stage, repeat, || stage.capture(&needs))?
+    let capture = match kept || needs.no_captures() {
+        true => None,
+        false => watch.again(elapsed, first.compiled_ms, || Ok(stage.capture(&needs)?.1))?,
     };
     let inputs = |changed| {
         let origin = (facts, scene.capture_origin(needs.keep_within_m));
@@ -62,33 +67,40 @@ pub fn measure<S: Stage>(
         Changed::SCENE
     };
     let (first, again) = (inputs(Changed::ALL), inputs(later));
-    let mut frame = std::iter::once(&first).chain(std::iter::repeat(&again));
-    let (_, prepare_ms) = compiled.repeat(stage, repeat, || {
-        let inputs = frame.next().unwrap_or(&again);
-        let ms = stage.timed("prepare", &mut |cx| {
+    let mut prepare = |inputs: &Inputs<'_, S::Backend>| {
+        stage.timed("prepare", &mut |cx| {
             session.prepare(cx, quantity, inputs, &out)
-        })?;
-        Ok(((), ms))
-    })?;
-    let (_, shade_ms) = compiled.repeat(stage, repeat, || {
-        let ms = stage.timed("shade", &mut |cx| {
+        })
+    };
+    let prepared = watch.first(|| prepare(&first))?;
+    let prepare = watch.again(prepared.value, prepared.compiled_ms, || prepare(&again))?;
+    let mut shade = || {
+        stage.timed("shade", &mut |cx| {
             session.shade(cx, quantity, &first, &mut out)
-        })?;
-        Ok(((), ms))
-    })?;
-    let (estimate, readback_ms) = read_back(stage, &out, repeat)?;
+        })
+    };
+    let shaded = watch.first(&mut shade)?;
+    let shade = watch.again(shaded.value, shaded.compiled_ms, shade)?;
+    let compile = watch.compiled_ms;
+    let (estimate, readback) = read_back(stage, &out, sampling)?;
     check_finite(method.info().id, &estimate, Some(points))?;
 
     let unread = unread(&needs, [first.read(), again.read()]);
+    let once = |ms: Option<f64>| ms.and_then(|ms| Timing::of(&[ms]));
     Ok(Measured {
         estimate,
         phases: Phases {
-            solve: solve_ms.and_then(|ms| Timing::of(&[ms])),
-            capture: capture_ms,
-            compile: compiled.ms.and_then(|ms| Timing::of(&[ms])),
-            prepare: prepare_ms,
-            shade: shade_ms,
-            readback: readback_ms,
+            solve: once(solve_ms),
+            capture,
+            compile: once(compile),
+            prepare,
+            shade,
+            readback,
+        },
+        bytes: Bytes {
+            captures: captured_bytes,
+            own: prepared.bytes + shaded.bytes,
+            points: placing.bytes,
         },
         unread,
     })
@@ -111,50 +123,76 @@ fn unread(needs: &Needs, read: [Needs; 2]) -> Needs {
 fn read_back<S: Stage>(
     stage: &S,
     out: &<S::Backend as Backend>::Out,
-    repeat: usize,
+    sampling: &Sampling,
 ) -> Result<(Estimate, Option<Timing>), HarnessError> {
-    let (mut estimate, _) = stage.read_back(out)?;
-    let mut times = Vec::new();
-    for _ in 0..repeat {
-        let (values, Some(ms)) = stage.read_back(out)? else {
-            break;
-        };
-        estimate = values;
-        times.push(ms);
+    let start = Instant::now();
+    let (estimate, Some(_)) = stage.read_back(out)? else {
+        return Ok((stage.read_back(out)?.0, None));
+    };
+    let times = sampling.repeat(Elapsed::since(start), || {
+        let start = Instant::now();
+        stage.read_back(out)?;
+        Ok::<_, EstimatorError>(Elapsed::since(start))
+    })?;
+    Ok((estimate, sampling.timing(&times)))
+}
+
+/// Runs phases, and counts what they compile and keep.
+struct Watch<'a, S> {
+    stage: &'a S,
+    sampling: &'a Sampling,
+    footprint: Footprint,
+    /// What the pipeline cache reports and the excess of each phase's first run; `None` where nothing is
+    /// compiled.
+    compiled_ms: Option<f64>,
+}
+
+/// What a phase's first run gave.
+struct First<T> {
+    value: T,
+    /// Milliseconds in the pipeline cache.
+    compiled_ms: Option<f64>,
+    /// Bytes that it left.
+    bytes: u64,
+}
+
+impl<'a, S: Stage> Watch<'a, S> {
+    fn new(stage: &'a S, sampling: &'a Sampling) -> Self {
+        Self {
+            stage,
+            sampling,
+            footprint: Footprint::of(stage),
+            compiled_ms: None,
+        }
     }
-    Ok((estimate, Timing::of(&times)))
-}
 
-/// Compilation: what the pipeline cache reports and the excess of each phase's first run.
-#[derive(Default)]
-struct Compiled {
-    ms: Option<f64>,
-}
-
-impl Compiled {
-    fn repeat<S: Stage, T>(
+    fn first<T>(
         &mut self,
-        stage: &S,
-        repeat: usize,
-        mut phase: impl FnMut() -> Result<(T, f64), interreflect_estimators::EstimatorError>,
-    ) -> Result<(T, Option<Timing>), HarnessError> {
-        let before = stage.compiled_ms();
-        let (mut value, first_ms) = phase()?;
-        let in_cache = before.zip(stage.compiled_ms()).map(|(b, a)| a - b);
-        let mut times = Vec::new();
-        while times.len() < repeat && times.iter().sum::<f64>() + first_ms < PATIENCE_MS {
-            let (v, ms) = phase()?;
-            value = v;
-            times.push(ms);
+        phase: impl FnOnce() -> Result<T, EstimatorError>,
+    ) -> Result<First<T>, EstimatorError> {
+        let before = self.stage.compiled_ms();
+        self.footprint.more(self.stage);
+        let value = phase()?;
+        Ok(First {
+            value,
+            compiled_ms: before.zip(self.stage.compiled_ms()).map(|(b, a)| a - b),
+            bytes: self.footprint.more(self.stage),
+        })
+    }
+
+    /// Repeats a phase whose first run took so long, compilation in it.
+    fn again(
+        &mut self,
+        first: Elapsed,
+        in_cache_ms: Option<f64>,
+        phase: impl FnMut() -> Result<Elapsed, EstimatorError>,
+    ) -> Result<Option<Timing>, EstimatorError> {
+        let times = self.sampling.repeat(first, phase)?;
+        let timing = self.sampling.timing(&times);
+        if let (Some(in_cache_ms), Some(timing)) = (in_cache_ms, timing) {
+            let excess_ms = (first.ms() - timing.median).max(0.0);
+            *self.compiled_ms.get_or_insert(0.0) += in_cache_ms.max(excess_ms);
         }
-        if times.is_empty() {
-            times.push(first_ms);
-        }
-        let timing = Timing::of(&times);
-        if let (Some(in_cache), Some(timing)) = (in_cache, timing) {
-            let excess = (first_ms - timing.median).max(0.0);
-            *self.ms.get_or_insert(0.0) += in_cache.max(excess);
-        }
-        Ok((value, timing))
+        Ok(timing)
     }
 }

@@ -4,8 +4,11 @@
 //! exist is `null`, never a stand-in, and says why beside it.
 
 mod params;
+mod timing;
 
 pub use params::{ParamMap, ParamValue};
+pub(crate) use timing::median;
+pub use timing::{Fallback, TimeSource, Timing};
 
 use crate::machine::Machine;
 use serde::{Deserialize, Serialize};
@@ -25,6 +28,9 @@ pub struct Results {
 pub struct Run {
     /// Name of the scene.
     pub scene: String,
+    /// Hash of all that is in the scene; `None` in records that do not know it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub scene_hash: Option<String>,
     /// Identifier of the estimator.
     pub estimator: String,
     /// Where it ran.
@@ -39,8 +45,16 @@ pub struct Run {
     pub points: usize,
     /// Where the time went.
     pub phases_ms: Phases,
-    /// How the times were taken.
+    /// By which clock the phases were timed, where the device or the host can: compile and read-back
+    /// are the host's always, and each time says its own.
     pub time_source: TimeSource,
+    /// How many times slower than at its best in this session the processor was after this run, if that
+    /// is worth a remark: it is throttled, or shared.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub slowed: Option<f64>,
+    /// What of memory a frame holds; `None` if nothing ran.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bytes: Option<Bytes>,
     /// The run used a software adapter: its times say nothing about a GPU.
     pub software: bool,
     /// Difference to what the method claims to compute.
@@ -68,6 +82,7 @@ impl Run {
     ) -> Self {
         Self {
             scene: scene.into(),
+            scene_hash: None,
             estimator: estimator.into(),
             backend,
             fidelity: None,
@@ -76,6 +91,8 @@ impl Run {
             points: 0,
             phases_ms: Phases::default(),
             time_source: TimeSource::WallClock,
+            slowed: None,
+            bytes: None,
             software: false,
             own_model: None,
             own_model_missing: None,
@@ -125,26 +142,6 @@ impl fmt::Display for Backend {
     }
 }
 
-/// How phases were timed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum TimeSource {
-    /// Host clock around submission and wait.
-    WallClock,
-    /// Timestamps written by the device: what the host does to record the work is not in them.
-    /// Compile and read-back are still the host's.
-    GpuTimestamps,
-}
-
-impl fmt::Display for TimeSource {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(match self {
-            Self::WallClock => "wall clock",
-            Self::GpuTimestamps => "GPU timestamps",
-        })
-    }
-}
-
 /// Time of each phase; `None` where a run has no such phase.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Phases {
@@ -181,47 +178,33 @@ impl Phases {
     /// Sum of the medians of what a frame pays once all is compiled: capture, prepare and shade.
     /// `None` if nothing was shaded.
     pub fn frame_ms(&self) -> Option<f64> {
-        let median = |t: Option<Timing>| t.map_or(0.0, |t| t.median);
-        let shade = self.shade?.median;
-        Some(median(self.capture) + median(self.prepare) + shade)
+        Some(self.frame()?.median)
+    }
+
+    /// What a frame pays, with the interval that its parts' intervals leave: their distances from the
+    /// medians add up as those of independent times do.
+    pub fn frame(&self) -> Option<Timing> {
+        let shade = self.shade?;
+        let parts = [self.capture, self.prepare];
+        Some(parts.into_iter().flatten().fold(shade, Timing::and))
+    }
+
+    /// Sum of what is paid once: the coarse solution and compilation.
+    pub fn once_ms(&self) -> f64 {
+        let parts = [self.solve, self.compile];
+        parts.into_iter().flatten().map(|t| t.median).sum()
     }
 }
 
-/// Spread of repeated times in milliseconds.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Timing {
-    /// Median; the mean of the middle two for an even count.
-    pub median: f64,
-    /// Median absolute deviation from the median, unscaled.
-    pub mad: f64,
-    /// Number of repetitions.
-    pub n: usize,
-}
-
-impl Timing {
-    /// Summary of times in milliseconds; `None` without any.
-    pub fn of(times_ms: &[f64]) -> Option<Self> {
-        let median = median(times_ms.to_vec())?;
-        let mad = median_of_deviations(times_ms, median)?;
-        Some(Self {
-            median,
-            mad,
-            n: times_ms.len(),
-        })
-    }
-}
-
-fn median_of_deviations(values: &[f64], centre: f64) -> Option<f64> {
-    median(values.iter().map(|v| (v - centre).abs()).collect())
-}
-
-fn median(mut values: Vec<f64>) -> Option<f64> {
-    values.sort_by(f64::total_cmp);
-    let upper = *values.get(values.len() / 2)?;
-    if values.len() % 2 == 1 {
-        return Some(upper);
-    }
-    Some(0.5 * (values[values.len() / 2 - 1] + upper))
+/// Bytes on the backend's side.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Bytes {
+    /// Captures, with what they were drawn by.
+    pub captures: u64,
+    /// What the method made of them, from coefficients to bindings.
+    pub own: u64,
+    /// Points and their estimate.
+    pub points: u64,
 }
 
 /// How an estimate differs from a reference; how each number is made is said in
@@ -251,6 +234,10 @@ pub struct Comparison {
     pub noise_floor_rmse: f64,
     /// The ε of relMSE, in the quantity's unit squared.
     pub epsilon: f64,
+    /// Mean FLIP of the image against the reference's, both tone-mapped alike, in [0, 1]: what a viewer
+    /// would notice when flipping between them. `None` where there is no image.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub flip: Option<f64>,
     /// Number of points that were compared: those with a surface.
     pub compared: usize,
     /// What the estimate was compared with, its sample count and seed where it has them.

@@ -1,10 +1,11 @@
 //! A scene on the backends that there are, and a method measured on the one that is asked for.
 
+use crate::clock::Sampling;
 use crate::error::HarnessError;
 use crate::frames::{Frame, Frames, Shaded};
 use crate::lab::Loaded;
 use crate::measure::{Measured, measure};
-use crate::record::{Backend, TimeSource};
+use crate::record::Backend;
 use interreflect_cpu::tiles::CpuCx;
 use interreflect_estimators::stage::{CpuStage, GpuStage, Stage};
 use interreflect_estimators::{Configured, Cpu, Gpu, Quantity, Unsupported};
@@ -27,8 +28,6 @@ pub struct Running {
 pub struct Timed {
     /// The estimate and its times.
     pub measured: Measured,
-    /// By which clock.
-    pub time_source: TimeSource,
     /// On an adapter that runs on the CPU.
     pub software: bool,
 }
@@ -103,23 +102,18 @@ impl<'a> Stages<'a> {
         method: &dyn Configured,
         quantity: Quantity,
         points: &Points,
-        repeat: usize,
+        sampling: &Sampling,
     ) -> Result<Timed, HarnessError> {
         let scene = self.cpu.scene.scene();
         match backend {
             Backend::Cpu => Ok(Timed {
-                measured: measure(&self.cpu, scene, method, quantity, points, repeat)?,
-                time_source: TimeSource::WallClock,
+                measured: measure(&self.cpu, scene, method, quantity, points, sampling)?,
                 software: false,
             }),
             Backend::Gpu => {
                 let stage = self.gpu.as_ref().map_err(Clone::clone)?;
                 Ok(Timed {
-                    measured: measure(stage, scene, method, quantity, points, repeat)?,
-                    time_source: match stage.device_clock() {
-                        true => TimeSource::GpuTimestamps,
-                        false => TimeSource::WallClock,
-                    },
+                    measured: measure(stage, scene, method, quantity, points, sampling)?,
                     software: stage.context.info().software,
                 })
             }

@@ -244,8 +244,7 @@ fn photon_buffer(context: &GpuContext, count: usize) -> Result<wgpu::Buffer, Est
             | wgpu::BufferUsages::COPY_SRC,
         mapped_at_creation: false,
     };
-    let made = context.checked("photons", || context.device().create_buffer(&descriptor));
-    Ok(made?)
+    Ok(context.buffer(&descriptor)?)
 }
 
 #[cfg(test)]

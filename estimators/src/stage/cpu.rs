@@ -1,6 +1,6 @@
 //! A scene on the CPU.
 
-use super::{Phase, Placed, Stage, environment, milliseconds, sum};
+use super::{Elapsed, Phase, Placed, Stage, environment, sum};
 use crate::{Captures, Configured, Cpu, EstimatorError, Session, Unsupported};
 use interreflect_cpu::capture::cube::capture_cube;
 use interreflect_cpu::capture::directional_depth::DirectionalDepths;
@@ -50,7 +50,7 @@ impl Stage for CpuStage<'_> {
         Ok(sum(self.solutions(needs).values().map(|s| s.ms)))
     }
 
-    fn capture(&self, needs: &Needs) -> Result<(Captures<Cpu>, f64), EstimatorError> {
+    fn capture(&self, needs: &Needs) -> Result<(Captures<Cpu>, Elapsed), EstimatorError> {
         self.solve(needs)?;
         let origin = self.scene.scene().capture_origin(needs.keep_within_m);
         let mut captures = Captures::default();
@@ -65,7 +65,7 @@ impl Stage for CpuStage<'_> {
             let views = self.cx.install(capture);
             captures.light_views.insert(*spec, views);
         }
-        let ms = milliseconds(start);
+        let elapsed = Elapsed::since(start);
         for &spec in &needs.directional_depths {
             let depths = DirectionalDepths::new(self.scene.clone(), spec);
             captures.depths.insert(spec, depths);
@@ -74,14 +74,14 @@ impl Stage for CpuStage<'_> {
         if needs.light_transport {
             captures.transport = Some(self.scene.clone());
         }
-        Ok((captures, ms))
+        Ok((captures, elapsed))
     }
 
-    fn timed(&self, _label: &str, work: &mut Phase<'_, Cpu>) -> Result<f64, EstimatorError> {
+    fn timed(&self, _label: &str, work: &mut Phase<'_, Cpu>) -> Result<Elapsed, EstimatorError> {
         let mut cx = self.cx;
         let start = Instant::now();
         work(&mut cx)?;
-        Ok(milliseconds(start))
+        Ok(Elapsed::since(start))
     }
 
     fn read_back(&self, out: &Estimate) -> Result<(Estimate, Option<f64>), EstimatorError> {
@@ -92,7 +92,7 @@ impl Stage for CpuStage<'_> {
         None
     }
 
-    fn device_clock(&self) -> bool {
-        false
+    fn made_bytes(&self) -> Option<u64> {
+        None
     }
 }

@@ -1,13 +1,13 @@
 //! A scene on the GPU.
 
-use super::{CpuStage, Phase, Placed, Stage, environment, milliseconds, sum};
+use super::{CpuStage, Elapsed, Phase, Placed, Stage, environment, milliseconds, sum};
 use crate::{Captures, Configured, EstimatorError, Gpu, Session, Unsupported};
 use interreflect_gpu::{
     GpuCoarseIrradiance, GpuContext, GpuDirectionalDepths, GpuEstimate, GpuOccluders, GpuPoints,
-    GpuScene, GpuTime, TimeSource, capture_cube, capture_light_views,
+    GpuScene, capture_cube, capture_light_views,
 };
 use interreflect_scene::{Estimate, Needs, Points};
-use std::cell::{Cell, RefCell};
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 use std::sync::Arc;
@@ -25,7 +25,6 @@ pub struct GpuStage<'a> {
     coarse: RefCell<BTreeMap<u32, (GpuCoarseIrradiance, f64)>>,
     /// All triangles, uploaded when depth maps of them are first asked for.
     occluders: RefCell<Option<Arc<GpuOccluders>>>,
-    fell_back: Cell<bool>,
 }
 
 impl<'a> GpuStage<'a> {
@@ -37,7 +36,6 @@ impl<'a> GpuStage<'a> {
             host,
             coarse: RefCell::default(),
             occluders: RefCell::default(),
-            fell_back: Cell::new(false),
         }
     }
 
@@ -51,14 +49,6 @@ impl<'a> GpuStage<'a> {
             }
         };
         Ok(known.insert(occluders).clone())
-    }
-
-    /// Milliseconds of a recording; remembers if the device's clock was of no use.
-    fn milliseconds(&self, time: GpuTime) -> f64 {
-        if time.source == TimeSource::WallClock {
-            self.fell_back.set(true);
-        }
-        time.ms
     }
 }
 
@@ -93,7 +83,7 @@ impl Stage for GpuStage<'_> {
             .filter_map(|k| Some(uploaded.get(k)?.1))))
     }
 
-    fn capture(&self, needs: &Needs) -> Result<(Captures<Gpu>, f64), EstimatorError> {
+    fn capture(&self, needs: &Needs) -> Result<(Captures<Gpu>, Elapsed), EstimatorError> {
         self.solve(needs)?;
         let coarse = self.coarse.borrow();
         let scene = self.host.scene.scene();
@@ -116,12 +106,12 @@ impl Stage for GpuStage<'_> {
             captures.depths.insert(spec, depths);
         }
         captures.environment = environment(needs, scene);
-        Ok((captures, self.milliseconds(time)))
+        Ok((captures, time.into()))
     }
 
-    fn timed(&self, label: &str, work: &mut Phase<'_, Gpu>) -> Result<f64, EstimatorError> {
+    fn timed(&self, label: &str, work: &mut Phase<'_, Gpu>) -> Result<Elapsed, EstimatorError> {
         let (_, time) = self.context.record(label, |cx| work(cx))?;
-        Ok(self.milliseconds(time))
+        Ok(time.into())
     }
 
     fn read_back(&self, out: &GpuEstimate) -> Result<(Estimate, Option<f64>), EstimatorError> {
@@ -134,7 +124,7 @@ impl Stage for GpuStage<'_> {
         Some(self.context.cache_stats().ms)
     }
 
-    fn device_clock(&self) -> bool {
-        self.context.device_clock() && !self.fell_back.get()
+    fn made_bytes(&self) -> Option<u64> {
+        Some(self.context.made_bytes())
     }
 }

@@ -185,16 +185,14 @@ pub(crate) fn gather_kernel(
 /// array of its full length.
 fn texel_buffer(context: &GpuContext, count: usize) -> Result<wgpu::Buffer, EstimatorError> {
     let descriptor = wgpu::BufferDescriptor {
-        label: Some("texels"),
+        label: Some("the texels of a cube map"),
         size: (count.max(UNIFORM_TEXELS) * size_of::<Texel>()) as u64,
         usage: wgpu::BufferUsages::STORAGE
             | wgpu::BufferUsages::UNIFORM
             | wgpu::BufferUsages::COPY_SRC,
         mapped_at_creation: false,
     };
-    Ok(context.checked("the texels of a cube map", || {
-        context.device().create_buffer(&descriptor)
-    })?)
+    Ok(context.buffer(&descriptor)?)
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! Options that several commands share.
 
-use super::values::{choice, count, fraction, seconds, threads, vector};
+use super::values::{choice, count, fraction, milliseconds, seconds, threads, vector};
+use crate::clock::Sampling;
 use crate::record::Backend;
 use clap::{Args, ValueEnum};
 use glam::Vec3;
@@ -39,6 +40,35 @@ pub struct RunOptions {
     /// Seed of everything random
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(..=u64::from(u32::MAX)))]
     pub seed: u64,
+}
+
+/// How long phases are timed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Args)]
+#[command(next_help_heading = "Timing")]
+pub struct TimingOptions {
+    /// At most so many times for each phase
+    #[arg(long, value_name = "N", value_parser = count)]
+    pub repeat: Option<usize>,
+    /// Good enough is a median known to this fraction, by its 95 % interval
+    #[arg(long, value_name = "FRACTION", value_parser = fraction)]
+    pub spread: Option<f64>,
+    /// Milliseconds for each phase, its warm-up included
+    #[arg(long, value_name = "MS", value_parser = milliseconds)]
+    pub patience: Option<f64>,
+}
+
+impl TimingOptions {
+    /// The options over what holds if nothing is said.
+    pub fn sampling(&self) -> Sampling {
+        let usual = Sampling::default();
+        let most = self.repeat.unwrap_or(usual.most);
+        Sampling {
+            least: usual.least.min(most),
+            most,
+            spread: self.spread.unwrap_or(usual.spread),
+            patience_ms: self.patience.unwrap_or(usual.patience_ms),
+        }
+    }
 }
 
 /// When a path-traced reference is good enough.

@@ -107,10 +107,16 @@ pub(super) fn fraction(text: &str) -> Result<f64, String> {
     number.ok_or_else(|| "expected a fraction between 0 and 1, such as .01".into())
 }
 
+pub(super) fn milliseconds(text: &str) -> Result<f64, String> {
+    let number = positive(text);
+    number.ok_or_else(|| "expected a time in milliseconds above 0, such as 400".into())
+}
+
+fn positive(text: &str) -> Option<f64> {
+    let number = text.parse().ok();
+    number.filter(|n: &f64| *n > 0.0 && n.is_finite())
+}
+
 pub(super) fn seconds(text: &str) -> Result<f64, String> {
-    let number = text
-        .parse()
-        .ok()
-        .filter(|n: &f64| *n > 0.0 && n.is_finite());
-    number.ok_or_else(|| "expected a time in seconds above 0, such as 30".into())
+    positive(text).ok_or_else(|| "expected a time in seconds above 0, such as 30".into())
 }

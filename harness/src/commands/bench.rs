@@ -3,6 +3,7 @@
 use super::reference::{POINTS, stop};
 use super::{print_json, print_line};
 use crate::cli::Bench;
+use crate::clock::Pulse;
 use crate::error::HarnessError;
 use crate::gallery::Gallery;
 use crate::lab::{Lab, Loaded};
@@ -19,9 +20,6 @@ use interreflect_scene::library::library;
 use interreflect_scene::params::{Choice, FIDELITY};
 use std::collections::BTreeSet;
 use std::path::PathBuf;
-
-/// How often a run is timed if nothing is said.
-const REPEAT: usize = 5;
 
 /// Folder for results if nothing is said.
 const OUT: &str = "results";
@@ -74,6 +72,7 @@ struct Benching<'a> {
     runs: Vec<Run>,
     gallery: Gallery,
     failures: Vec<String>,
+    pulse: Pulse,
 }
 
 impl<'a> Benching<'a> {
@@ -120,6 +119,7 @@ impl<'a> Benching<'a> {
             runs: Vec::new(),
             gallery: Gallery::default(),
             failures: Vec::new(),
+            pulse: Pulse::new(),
         })
     }
 
@@ -156,21 +156,22 @@ impl<'a> Benching<'a> {
             for method in &methods {
                 for &backend in backends {
                     bar.set_message(method.info().id);
-                    let repeat = self.command.repeat.unwrap_or(REPEAT);
-                    let on_backend = stages.measure(backend, &**method, quantity, &points, repeat);
+                    let sampling = self.command.timing.sampling();
+                    let on_backend =
+                        stages.measure(backend, &**method, quantity, &points, &sampling);
                     let mut run = record(&name, &**method, quantity, backend, points.len());
                     match on_backend {
-                        Ok(Timed {
-                            measured,
-                            time_source,
-                            software,
-                        }) => {
+                        Ok(Timed { measured, software }) => {
                             let model = method.model(quantity);
                             let [own, truth] = references.compare(&measured.estimate, model);
                             (run.own_model, run.own_model_missing) = either(own);
                             (run.truth, run.truth_missing) = either(truth);
+                            if let Some(shade) = measured.phases.shade {
+                                run.time_source = shade.source;
+                            }
                             run.phases_ms = measured.phases;
-                            run.time_source = time_source;
+                            run.bytes = Some(measured.bytes);
+                            run.slowed = self.pulse.slowed();
                             run.software = software;
                             self.gallery.add(&run, &view, &measured.estimate);
                         }

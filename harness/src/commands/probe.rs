@@ -2,6 +2,7 @@
 
 use super::{print_json, print_line};
 use crate::cli::Probe;
+use crate::clock::Sampling;
 use crate::error::HarnessError;
 use crate::lab::Lab;
 use crate::output::write_json;
@@ -40,7 +41,8 @@ pub(super) fn run(command: &Probe, registry: Registry) -> Result<(), HarnessErro
     )?;
     let stages = Stages::new(&lab.cpu, loaded.complete()?);
     let backend = command.backend;
-    let Timed { measured, .. } = stages.measure(backend, &*method, quantity, &points, 0)?;
+    let Timed { measured, .. } =
+        stages.measure(backend, &*method, quantity, &points, &Sampling::ONCE)?;
     let probed = Probed {
         estimator: method.info().id,
         backend,

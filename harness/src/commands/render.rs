@@ -2,6 +2,7 @@
 
 use super::{print_json, print_line};
 use crate::cli::Render;
+use crate::clock::Sampling;
 use crate::error::HarnessError;
 use crate::lab::Lab;
 use crate::output::{Exposure, HdrImage, write_exr, write_png};
@@ -58,7 +59,13 @@ pub(super) fn run(command: &Render, registry: Registry) -> Result<(), HarnessErr
     for &backend in command.backend.list() {
         let Timed {
             measured, software, ..
-        } = stages.measure(backend, &*method, shown.quantity(), &points, 1)?;
+        } = stages.measure(
+            backend,
+            &*method,
+            shown.quantity(),
+            &points,
+            &Sampling::ONCE,
+        )?;
         let image = shown.image(&view, &materials, &measured.estimate);
         let stem = shown.stem(scene.scene(), &*method, backend);
         let folder = command.out.clone().unwrap_or_else(|| OUT.into());

@@ -207,6 +207,7 @@ fn summarise(samples: &[Sample]) -> Comparison {
         relmse_above_noise: relative.as_ref().map(|r| (r.relmse - r.floor).max(0.0)),
         noise_floor_rmse: noise_mse.sqrt(),
         epsilon,
+        flip: None,
         compared: samples.len(),
         reference: None,
     }

@@ -15,6 +15,7 @@ fn comparison() -> Comparison {
         relmse_above_noise: Some(0.249),
         noise_floor_rmse: 0.01,
         epsilon: 1e-4,
+        flip: Some(0.03),
         compared: 90,
         reference: Some("path tracer, 256 samples, seed 1".into()),
     }
@@ -23,6 +24,7 @@ fn comparison() -> Comparison {
 fn run() -> Run {
     Run {
         scene: "colored-room".into(),
+        scene_hash: Some("5ce9e".into()),
         estimator: "localized_cubemap".into(),
         backend: Backend::Gpu,
         fidelity: Some("published".into()),
@@ -42,6 +44,12 @@ fn run() -> Run {
         },
         time_source: TimeSource::GpuTimestamps,
         software: true,
+        slowed: Some(1.3),
+        bytes: Some(Bytes {
+            captures: 6,
+            own: 5,
+            points: 4,
+        }),
         own_model: None,
         own_model_missing: Some("no deterministic integral for this quantity".into()),
         truth: Some(comparison()),

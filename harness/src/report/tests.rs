@@ -23,6 +23,7 @@ fn comparison(relmse: f64, floor: f64, reference: &str) -> Comparison {
         relmse_above_noise: Some((relmse - floor).max(0.0)),
         noise_floor_rmse: floor.sqrt(),
         epsilon: 1e-4,
+        flip: None,
         compared: 2000,
         reference: Some(reference.into()),
     }
@@ -43,6 +44,7 @@ fn run(
     ];
     Run {
         scene: scene.into(),
+        scene_hash: None,
         estimator: estimator.into(),
         backend,
         fidelity: fidelity.map(Into::into),
@@ -68,6 +70,8 @@ fn run(
             TimeSource::WallClock
         },
         software: backend == Backend::Gpu,
+        slowed: None,
+        bytes: None,
         own_model: (estimator != "mine").then(|| comparison(0.3 * relmse, 0.0, "own model")),
         own_model_missing: (estimator == "mine").then(|| "no deterministic integral".into()),
         truth: Some(comparison(

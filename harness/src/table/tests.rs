@@ -14,6 +14,7 @@ fn comparison(relmse: f64, verdict: Verdict) -> Option<Comparison> {
         relmse_above_noise: Some(relmse),
         noise_floor_rmse: 0.01,
         epsilon: 1e-4,
+        flip: None,
         compared: 2048,
         reference: None,
     })

@@ -6,6 +6,7 @@ use crate::world::{
     Outcome, Variant, captures, cpu_stage, estimate, gpu_stage, ignored, on_gpu, run, variants,
 };
 use glam::Vec3;
+use interreflect::clock::Sampling;
 use interreflect::measure::measure;
 use interreflect_cpu::scene::CpuScene;
 use interreflect_estimators::stage::{Placed, Stage};
@@ -165,7 +166,14 @@ fn kept_or_not<S: Stage>(
             .needs(variant.quantity, &moved.cpu.scene().facts())?;
         let (method, quantity) = (&*variant.method, variant.quantity);
         let scene = moved.cpu.scene();
-        let measured = measure(&stage(&moved)?, scene, method, quantity, &points, 1)?;
+        let measured = measure(
+            &stage(&moved)?,
+            scene,
+            method,
+            quantity,
+            &points,
+            &Sampling::ONCE,
+        )?;
         let timed = measured.phases.capture.is_some();
         ensure!(
             timed != (kept || needs.no_captures()),

@@ -6,6 +6,7 @@ use crate::parity::captures_apart;
 use crate::subjects::{SUBJECTS, Subject};
 use crate::world::{Outcome, Variant, captures, cpu_stage, gpu_stage, ignored, on_gpu, variants};
 use glam::Vec3;
+use interreflect::clock::Sampling;
 use interreflect::measure::measure;
 use interreflect::output::HdrImage;
 use interreflect::view::View;
@@ -121,6 +122,13 @@ fn image<S: Stage>(
 ) -> Result<HdrImage, Failed> {
     let points = view.points(variant.quantity.layout());
     let scene = subject.cpu.scene();
-    let measured = measure(stage, scene, &*variant.method, variant.quantity, &points, 1)?;
+    let measured = measure(
+        stage,
+        scene,
+        &*variant.method,
+        variant.quantity,
+        &points,
+        &Sampling::ONCE,
+    )?;
     Ok(view.image(&measured.estimate))
 }
