@@ -1,12 +1,16 @@
 //! The command line: what can be asked for, and one clear line where it can't.
 
+mod bench;
 mod options;
 mod render;
+mod sweep;
 mod values;
 mod verify;
 
+pub use bench::{Bench, What};
 pub use options::{Backends, ReferenceBudget, RunOptions, SceneOptions, TimingOptions};
 pub use render::{Render, Show};
+pub use sweep::{Merge, Sweep};
 pub use values::{MaterialArg, Setting};
 pub use verify::Verify;
 
@@ -33,6 +37,7 @@ SCENE is the name of a library scene (see `interreflect list`), a .toml or an .o
 Examples:
   interreflect bench
   interreflect bench cornell-box --estimator localized_cubemap --set resolution=8 --out results
+  interreflect sweep cornell-box --vary localized_cubemap.resolution=2..32:log2
   interreflect render studio --estimator classic_envmap --environment sky.hdr --receiver bunny.obj
   interreflect probe room.obj --estimator localized_cubemap --points points.csv --json
   interreflect compare a.exr b.exr
@@ -45,6 +50,10 @@ pub enum Command {
     List(List),
     /// Run estimators on scenes: time them, compare them with what is true, write a report
     Bench(Bench),
+    /// Vary parameters of estimators, scenes and the run: what each setting costs and gives
+    Sweep(Sweep),
+    /// Put the parts of a sweep together that were run apart
+    Merge(Merge),
     /// Render an image with one estimator
     Render(Render),
     /// Estimate at the points of a file
@@ -67,53 +76,6 @@ pub struct List {
     /// Print JSON
     #[arg(long)]
     pub json: bool,
-}
-
-/// `interreflect bench`.
-#[derive(Clone, Debug, PartialEq, Args)]
-#[command(
-    after_help = "Without SCENE and --estimator: every estimator, fidelity, quantity and \
-backend on the small library scenes.\n\nExamples:\n  interreflect bench --out results\n  \
-interreflect bench colored-room --receiver bunny.obj --estimator localized_cubemap \
---set fidelity=corrected\n  interreflect bench --backend cpu --json > results.json"
-)]
-pub struct Bench {
-    /// Scenes; all of the library's if none is given
-    #[arg(value_name = "SCENE")]
-    pub scenes: Vec<String>,
-    /// Estimator to run; repeat for several, all if none is given
-    #[arg(long = "estimator", value_name = "ID")]
-    pub estimators: Vec<String>,
-    /// Quantity to estimate; repeat for several, all that an estimator offers if none is given
-    #[arg(long = "quantity", value_name = "QUANTITY", value_parser = choice::<Quantity>())]
-    pub quantities: Vec<Quantity>,
-    /// Parameter, as `name=value`, or `id.name=value` where several estimators run; repeatable
-    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = setting)]
-    pub settings: Vec<Setting>,
-    /// Which backends to run on
-    #[arg(long, value_enum, default_value = "both")]
-    pub backend: Backends,
-    /// Number of points on the receivers of each scene
-    #[arg(long, value_name = "COUNT", value_parser = count)]
-    pub points: Option<usize>,
-    /// How long each run is timed.
-    #[command(flatten)]
-    pub timing: TimingOptions,
-    /// How precise the references are.
-    #[command(flatten)]
-    pub budget: ReferenceBudget,
-    /// Changes to the scenes.
-    #[command(flatten)]
-    pub scene: SceneOptions,
-    /// How to run.
-    #[command(flatten)]
-    pub run: RunOptions,
-    /// Print the results as JSON instead of a table
-    #[arg(long)]
-    pub json: bool,
-    /// Folder for results.json, images and report.html
-    #[arg(long, value_name = "DIR")]
-    pub out: Option<PathBuf>,
 }
 
 /// `interreflect probe`.

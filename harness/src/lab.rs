@@ -177,6 +177,25 @@ impl Lab {
         Ok(method)
     }
 
+    /// A method with these parameters of its own.
+    ///
+    /// # Errors
+    /// [`HarnessError::Param`] if it does not have one, or not that value.
+    pub fn configured_with(
+        &self,
+        method: Box<dyn Configured>,
+        params: &[(&str, String)],
+    ) -> Result<Box<dyn Configured>, HarnessError> {
+        let settings: Vec<Setting> = params
+            .iter()
+            .map(|(name, value)| Setting {
+                name: (*name).into(),
+                value: value.clone(),
+            })
+            .collect();
+        self.configured(method, &settings)
+    }
+
     /// Checks that every setting is meant for a scene or for one of these methods.
     ///
     /// # Errors
@@ -222,4 +241,4 @@ impl Loaded {
 }
 
 /// Qualifier of settings that are meant for the scene.
-const SCENE: &str = "scene";
+pub(crate) const SCENE: &str = "scene";

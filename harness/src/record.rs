@@ -4,14 +4,17 @@
 //! exist is `null`, never a stand-in, and says why beside it.
 
 mod params;
+mod split;
 mod timing;
 
 pub use params::{ParamMap, ParamValue};
+pub use split::{Floor, Part, Split};
 pub(crate) use timing::median;
 pub use timing::{Fallback, TimeSource, Timing};
 
 use crate::machine::Machine;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 use std::fmt;
 
 /// Everything that one `bench` produced.
@@ -19,8 +22,20 @@ use std::fmt;
 pub struct Results {
     /// Where it was measured, and with which build.
     pub machine: Machine,
-    /// One entry per scene, estimator, fidelity, quantity and backend.
+    /// One entry per scene, estimator, set of parameters, quantity and backend.
     pub runs: Vec<Run>,
+    /// All machines that took part, where that is more than one.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub machines: BTreeMap<String, Machine>,
+    /// Path tracing and n-ray gathering at several sample counts, for comparison at equal time.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub baselines: Vec<Run>,
+    /// What each model leaves out at best.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub floors: Vec<Floor>,
+    /// What the errors are made of.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub splits: Vec<Split>,
 }
 
 /// One estimator with one set of parameters, on one scene and one backend.
@@ -31,6 +46,12 @@ pub struct Run {
     /// Hash of all that is in the scene; `None` in records that do not know it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub scene_hash: Option<String>,
+    /// What varied of the scene and of how it was run, as `scene.name` or `run.name`.
+    #[serde(default, skip_serializing_if = "ParamMap::is_empty")]
+    pub settings: ParamMap,
+    /// Where it was measured: a key of [`Results::machines`], where several machines took part.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub machine: Option<String>,
     /// Identifier of the estimator.
     pub estimator: String,
     /// Where it ran.
@@ -83,6 +104,8 @@ impl Run {
         Self {
             scene: scene.into(),
             scene_hash: None,
+            settings: ParamMap::default(),
+            machine: None,
             estimator: estimator.into(),
             backend,
             fidelity: None,

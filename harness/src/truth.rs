@@ -1,5 +1,9 @@
 //! What estimates are compared with, computed once for each scene, quantity and point list.
 
+mod cache;
+
+pub use cache::Cache;
+
 use crate::error::HarnessError;
 use crate::metrics::{self, Reference};
 use crate::record::Comparison;
@@ -8,10 +12,10 @@ use interreflect_cpu::path_tracer::{LightPaths, Stop};
 use interreflect_cpu::scene::CpuScene;
 use interreflect_cpu::tiles::CpuCx;
 use interreflect_estimators::{OwnModel, Quantity};
-use interreflect_scene::{Estimate, Points};
+use interreflect_scene::{Estimate, Points, digest};
 
 /// Full light transport.
-const TRUTH: OwnModel = OwnModel::LightTransport(LightPaths::ALL);
+pub const TRUTH: OwnModel = OwnModel::LightTransport(LightPaths::ALL);
 
 /// Keeps the references' random numbers apart from those of a path-traced estimate.
 const SEED_APART: u64 = 0x7ef3_5a2c_91d4_0b68;
@@ -25,6 +29,7 @@ pub struct References<'a> {
     stop: Stop,
     seed: u64,
     known: Vec<(OwnModel, ModelValues)>,
+    cache: Option<Cache>,
 }
 
 impl<'a> References<'a> {
@@ -45,7 +50,13 @@ impl<'a> References<'a> {
             stop,
             seed: seed ^ SEED_APART,
             known: Vec::new(),
+            cache: None,
         }
+    }
+
+    /// Looks values up in a folder before it computes them, and leaves them there.
+    pub fn cached(self, cache: Option<Cache>) -> Self {
+        Self { cache, ..self }
     }
 
     /// Full light transport.
@@ -58,21 +69,32 @@ impl<'a> References<'a> {
         let at = match self.known.iter().position(|(m, _)| *m == model) {
             Some(at) => at,
             None => {
-                let (cx, scene, points) = (self.cx, self.scene, self.points);
-                let values = evaluate(
-                    cx,
-                    model,
-                    self.quantity,
-                    scene,
-                    points,
-                    &self.stop,
-                    self.seed,
-                );
+                let values = self.evaluated(model);
                 self.known.push((model, values));
                 self.known.len() - 1
             }
         };
         &self.known[at].1
+    }
+
+    fn evaluated(&self, model: OwnModel) -> ModelValues {
+        let key = digest(&(model, self.quantity, self.points.len(), self.stop, self.seed));
+        let kept = self.cache.as_ref().and_then(|c| c.get(&key, self.points.len()));
+        kept.unwrap_or_else(|| {
+            let values = evaluate(
+                self.cx,
+                model,
+                self.quantity,
+                self.scene,
+                self.points,
+                &self.stop,
+                self.seed,
+            );
+            if let Some(cache) = &self.cache {
+                cache.keep(&key, &values);
+            }
+            values
+        })
     }
 
     /// Compares an estimate with its own model and with the truth; an error if it, or what it is
@@ -83,6 +105,29 @@ impl<'a> References<'a> {
         model: OwnModel,
     ) -> [Result<Comparison, HarnessError>; 2] {
         [model, TRUTH].map(|model| self.compare_with(estimate, model))
+    }
+
+    /// How far a model is from the truth, whoever computes it: a comparison of one reference with the other,
+    /// whose noise is that of both.
+    ///
+    /// # Errors
+    /// [`HarnessError`] if one of them is not finite.
+    pub fn floor(&mut self, model: OwnModel) -> Result<Comparison, HarnessError> {
+        let points = self.points;
+        let of_model = self.model(model);
+        let (values, own_error) = (of_model.values.clone(), of_model.error.clone());
+        let truth = self.truth();
+        let mut both = Estimate::new(own_error.len());
+        for i in 0..both.len() {
+            let (a, b) = (own_error.get(i), truth.error.get(i));
+            both.set(i, (a * a + b * b).map(f32::sqrt));
+        }
+        let reference = Reference {
+            values: &truth.values,
+            standard_error: Some(&both),
+            description: &truth.description,
+        };
+        Ok(metrics::compare(&values, reference, Some(points))?)
     }
 
     fn compare_with(

@@ -136,6 +136,31 @@ pub fn trace(
     traced
 }
 
+/// The mean of so many samples a point, of one sequence: what they tell of their own error is nothing.
+/// Zero where a point has no surface.
+pub fn mean_of_samples(
+    scene: &CpuScene,
+    points: &Points,
+    quantity: PathQuantity,
+    paths: &LightPaths,
+    samples: u32,
+    seed: u64,
+) -> Estimate {
+    let estimator = Estimator::new(scene, paths);
+    let mean = |index: usize| {
+        let gather = estimator.gather(&points.get(index)?, quantity)?;
+        let stream = hash(seed ^ hash(index as u64)) as u32;
+        let sample = |i| estimator.sample(&gather, Sample::new(i, stream)).as_dvec3();
+        Some((0..samples).map(sample).sum::<DVec3>() / f64::from(samples))
+    };
+    let means: Vec<_> = (0..points.len()).into_par_iter().map(mean).collect();
+    let mut estimate = Estimate::new(points.len());
+    for (index, mean) in means.into_iter().enumerate() {
+        estimate.set(index, mean.unwrap_or(DVec3::ZERO).as_vec3());
+    }
+    estimate
+}
+
 /// What the replicates of one point tell.
 struct Statistics {
     mean: DVec3,

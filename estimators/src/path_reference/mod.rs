@@ -8,7 +8,7 @@ use crate::{
     Claim, Cpu, CpuOnly, Estimator, EstimatorError, Info, Inputs, Method, OwnModel, Quantity,
     Unsupported,
 };
-use interreflect_cpu::path_tracer::{PathQuantity, Stop, trace};
+use interreflect_cpu::path_tracer::{PathQuantity, REPLICATES, Stop, mean_of_samples, trace};
 use interreflect_cpu::tiles::CpuCx;
 use interreflect_scene::{Estimate, Needs, SceneFacts};
 
@@ -81,16 +81,21 @@ impl Estimator<Cpu> for PathReference {
         out: &mut Estimate,
     ) -> Result<(), EstimatorError> {
         let scene = inputs.light_transport()?;
-        let stop = Stop {
-            samples: Some(params.samples),
-            ..Stop::default()
-        };
         let seed = u64::from(params.seed);
         let paths = params.paths();
         let quantity = path_quantity(quantity);
-        let traced =
-            cx.install(|| trace(scene, inputs.points, quantity, &paths, &stop, seed, &|_| {}));
-        out.clone_from(&traced.mean);
+        let (points, samples) = (inputs.points, params.samples);
+        let estimate = cx.install(|| match samples < REPLICATES {
+            true => mean_of_samples(scene, points, quantity, &paths, samples, seed),
+            false => {
+                let stop = Stop {
+                    samples: Some(samples),
+                    ..Stop::default()
+                };
+                trace(scene, points, quantity, &paths, &stop, seed, &|_| {}).mean
+            }
+        });
+        out.clone_from(&estimate);
         Ok(())
     }
 }

@@ -1,10 +1,12 @@
 use interreflect_cpu::path_tracer::LightPaths;
+#[cfg(doc)]
+use interreflect_cpu::path_tracer::REPLICATES;
 use interreflect_scene::params::{Field, Params};
 
 /// Parameters of [`super::PathReference`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct PathReferenceParams {
-    /// Samples per point.
+    /// Samples per point; beyond [`REPLICATES`] rounded up to a multiple of it.
     pub samples: u32,
     /// Most reflections between a source and the arrival at a point; 0 = no limit.
     pub bounces: u32,
@@ -52,7 +54,7 @@ impl Params for PathReferenceParams {
         vec![
             Field::u32(
                 "samples",
-                "paths per point, rounded up to whole rounds",
+                "paths per point; beyond 32 rounded up to whole rounds",
                 1..=1 << 20,
                 |p: &Self| p.samples,
                 |p, v| p.samples = v,

@@ -112,6 +112,10 @@ pub(super) fn milliseconds(text: &str) -> Result<f64, String> {
     number.ok_or_else(|| "expected a time in milliseconds above 0, such as 400".into())
 }
 
+pub(super) fn positive_number(text: &str) -> Result<f64, String> {
+    positive(text).ok_or_else(|| "expected a number above 0, such as 2.5".into())
+}
+
 fn positive(text: &str) -> Option<f64> {
     let number = text.parse().ok();
     number.filter(|n: &f64| *n > 0.0 && n.is_finite())

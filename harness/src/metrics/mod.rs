@@ -167,6 +167,11 @@ fn surfaces(points: Option<&Points>, len: usize) -> impl Iterator<Item = usize> 
     (0..len).filter(move |&i| points.is_none_or(|p| p.get(i).is_some()))
 }
 
+/// The ε of relMSE for a reference of this mean magnitude.
+pub(crate) fn epsilon(mean_magnitude: f64) -> f64 {
+    (EPSILON_FRACTION * mean_magnitude).powi(2)
+}
+
 struct Sample {
     estimate: DVec3,
     reference: DVec3,
@@ -181,7 +186,7 @@ fn summarise(samples: &[Sample]) -> Comparison {
     };
     let square = |v: DVec3| v * v;
     let energy = mean(&|s| s.reference);
-    let epsilon = (EPSILON_FRACTION * mean(&|s| s.reference.abs())).powi(2);
+    let epsilon = epsilon(mean(&|s| s.reference.abs()));
     let mse = mean(&|s| square(s.estimate - s.reference));
     let noise_mse = mean(&|s| square(s.standard_error));
     let weight = |s: &Sample| (square(s.reference) + epsilon).recip();

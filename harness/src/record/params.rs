@@ -45,6 +45,11 @@ impl fmt::Display for ParamValue {
 pub struct ParamMap(pub Vec<(String, ParamValue)>);
 
 impl ParamMap {
+    /// Whether it has no parameter.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
     /// The value of a parameter.
     pub fn get(&self, name: &str) -> Option<&ParamValue> {
         self.0.iter().find(|(n, _)| n == name).map(|(_, v)| v)

@@ -45,6 +45,8 @@ fn run(
     Run {
         scene: scene.into(),
         scene_hash: None,
+        settings: ParamMap::default(),
+        machine: None,
         estimator: estimator.into(),
         backend,
         fidelity: fidelity.map(Into::into),

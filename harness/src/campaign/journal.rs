@@ -1,0 +1,290 @@
+//! Every finished task on disk at once: a campaign that was killed goes on where it was.
+
+use crate::machine::Machine;
+use crate::output::OutputError;
+use crate::record::{Floor, Run, Split};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::fs::{self, File, OpenOptions, TryLockError};
+use std::io::{self, Read as _, Seek as _, SeekFrom, Write as _};
+use std::path::{Path, PathBuf};
+
+/// Name of the file in its folder.
+const NAME: &str = "journal.jsonl";
+
+/// What a task gave.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum Done {
+    Run(Box<Run>),
+    Baseline(Box<Run>),
+    Floor(Box<Floor>),
+    Split(Box<Split>),
+}
+
+/// A finished task.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Entry {
+    /// Digest of all that the result depends on.
+    pub(crate) key: String,
+    /// Number of the task in its campaign: the order of results.
+    pub(crate) at: usize,
+    pub(crate) done: Done,
+}
+
+/// A line of the file.
+#[derive(Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+enum Line {
+    /// Before the first task of a process: where what follows was measured.
+    Machine(Box<Machine>),
+    Task(Box<Entry>),
+}
+
+/// What was done, in memory and, if there is a folder, in its file.
+#[derive(Default)]
+pub(crate) struct Journal {
+    file: Option<(PathBuf, File)>,
+    /// By key, of this campaign or another.
+    known: BTreeMap<String, Done>,
+    /// What this campaign has, by its number.
+    entries: BTreeMap<usize, Entry>,
+    machines: Vec<Machine>,
+}
+
+impl Journal {
+    /// A journal that is kept in memory alone.
+    pub(crate) fn in_memory() -> Self {
+        Self::default()
+    }
+
+    /// Opens the journal of a folder, or begins it. What a killed process left half-written at its end
+    /// is dropped.
+    ///
+    /// # Errors
+    /// [`JournalError`] if it can't be used.
+    pub(crate) fn open(folder: &Path) -> Result<Self, JournalError> {
+        let path = folder.join(NAME);
+        let refused = |source| OutputError::Write {
+            path: path.clone(),
+            source,
+        };
+        fs::create_dir_all(folder).map_err(refused)?;
+        let open = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(&path);
+        let mut file = open.map_err(refused)?;
+        match file.try_lock() {
+            Ok(()) => {}
+            Err(TryLockError::WouldBlock) => return Err(JournalError::InUse { path }),
+            Err(TryLockError::Error(source)) => return Err(refused(source).into()),
+        }
+        let mut journal = Self::default();
+        let whole = journal.read(&path, &mut file)?;
+        file.set_len(whole).map_err(refused)?;
+        file.seek(SeekFrom::End(0)).map_err(refused)?;
+        journal.file = Some((path, file));
+        Ok(journal)
+    }
+
+    /// The entries of a folder's journal, as they were written, and where they were measured.
+    ///
+    /// # Errors
+    /// [`JournalError`] if there is none or it can't be read.
+    pub(crate) fn entries_of(folder: &Path) -> Result<(Vec<Entry>, Vec<Machine>), JournalError> {
+        let path = folder.join(NAME);
+        let open = File::open(&path);
+        let mut file = open.map_err(|source| JournalError::Read { path: path.clone(), source })?;
+        let mut text = String::new();
+        let read = file.read_to_string(&mut text);
+        read.map_err(|source| JournalError::Read { path: path.clone(), source })?;
+        let (mut entries, mut machines) = (Vec::new(), Vec::new());
+        for line in lines(&path, &text)? {
+            match line {
+                Line::Machine(machine) => machines.push(*machine),
+                Line::Task(entry) => entries.push(*entry),
+            }
+        }
+        Ok((entries, machines))
+    }
+
+    /// Takes in what is there; the length of its whole lines in bytes.
+    fn read(&mut self, path: &Path, file: &mut File) -> Result<u64, JournalError> {
+        let mut bytes = Vec::new();
+        let read = file.read_to_end(&mut bytes);
+        read.map_err(|source| JournalError::Read { path: path.into(), source })?;
+        let whole = bytes.iter().rposition(|b| *b == b'\n').map_or(0, |at| at + 1);
+        let text = String::from_utf8_lossy(&bytes[..whole]);
+        for line in lines(path, &text)? {
+            match line {
+                Line::Machine(machine) => self.machines.push(*machine),
+                Line::Task(entry) => {
+                    self.known.insert(entry.key, entry.done);
+                }
+            }
+        }
+        Ok(whole as u64)
+    }
+
+    /// Says where what follows is measured.
+    ///
+    /// # Errors
+    /// [`JournalError`] if it can't be written.
+    pub(crate) fn on(&mut self, machine: Machine) -> Result<(), JournalError> {
+        self.write(&Line::Machine(Box::new(machine.clone())))?;
+        self.machines.push(machine);
+        Ok(())
+    }
+
+    /// Whether a task was done, now or before; if so it counts as this campaign's number `at`.
+    pub(crate) fn has(&mut self, key: &str, at: usize) -> bool {
+        let Some(done) = self.known.get(key) else {
+            return false;
+        };
+        let (key, done) = (key.to_owned(), done.clone());
+        self.entries.insert(at, Entry { key, at, done });
+        true
+    }
+
+    /// Keeps what a task gave.
+    ///
+    /// # Errors
+    /// [`JournalError`] if it can't be written.
+    pub(crate) fn keep(&mut self, entry: Entry) -> Result<(), JournalError> {
+        let line = Line::Task(Box::new(entry));
+        self.write(&line)?;
+        if let Line::Task(entry) = line {
+            self.remember(*entry);
+        }
+        Ok(())
+    }
+
+    /// As [`Journal::keep`], but not on disk: what failed is tried again next time.
+    pub(crate) fn remember(&mut self, entry: Entry) {
+        self.entries.insert(entry.at, entry);
+    }
+
+    /// What this campaign has so far, in its order.
+    pub(crate) fn done(&self) -> impl Iterator<Item = &Done> {
+        self.entries.values().map(|e| &e.done)
+    }
+
+    /// Results of other campaigns, builds or settings that the file holds too.
+    pub(crate) fn others(&self) -> usize {
+        let ours: Vec<&str> = self.entries.values().map(|e| &*e.key).collect();
+        self.known.keys().filter(|k| !ours.contains(&&***k)).count()
+    }
+
+    /// All machines that took part.
+    pub(crate) fn machines(&self) -> &[Machine] {
+        &self.machines
+    }
+
+    /// A line is on the disk before the next task begins.
+    fn write(&mut self, line: &Line) -> Result<(), JournalError> {
+        let Some((path, file)) = &mut self.file else {
+            return Ok(());
+        };
+        let written = serde_json::to_string(line).map_err(io::Error::from).and_then(|text| {
+            file.write_all((text + "\n").as_bytes())?;
+            file.sync_data()
+        });
+        Ok(written.map_err(|source| OutputError::Write {
+            path: path.clone(),
+            source,
+        })?)
+    }
+}
+
+/// Every line; an error names the first that can't be read.
+fn lines(path: &Path, text: &str) -> Result<Vec<Line>, JournalError> {
+    let parse = |(number, line)| {
+        serde_json::from_str(line).map_err(|source| JournalError::Line {
+            path: path.into(),
+            number: number + 1,
+            source,
+        })
+    };
+    let whole = text.rfind('\n').map_or("", |end| &text[..end]);
+    whole.lines().enumerate().map(parse).collect()
+}
+
+/// Why a journal can't be used.
+#[derive(Debug, thiserror::Error)]
+pub enum JournalError {
+    /// Another process writes to it.
+    #[error("{}: another sweep is writing here; wait for it, or give another --out", path.display())]
+    InUse {
+        /// The file.
+        path: PathBuf,
+    },
+    /// It can't be read.
+    #[error("{}: {source}; give a folder that a sweep was written to", path.display())]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
+    /// A line is not what a sweep writes.
+    #[error("{}, line {number}: {source}; delete the line to have its task run again", path.display())]
+    Line {
+        /// The file.
+        path: PathBuf,
+        /// Number of the line, from 1.
+        number: usize,
+        /// Why.
+        source: serde_json::Error,
+    },
+    /// It can't be written.
+    #[error(transparent)]
+    Write(#[from] OutputError),
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::record::Backend;
+
+    fn entry(at: usize) -> Entry {
+        let run = Run::new("room", format!("method{at}"), Backend::Cpu, "irradiance");
+        Entry {
+            key: format!("key{at}"),
+            at,
+            done: Done::Run(Box::new(run)),
+        }
+    }
+
+    #[test]
+    fn a_half_written_line_is_dropped_and_the_rest_is_there() -> Result<(), JournalError> {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join(NAME);
+        let mut journal = Journal::open(folder.path())?;
+        for at in 0..3 {
+            journal.keep(entry(at))?;
+        }
+        drop(journal);
+        let whole = fs::read(&path).expect("the file");
+        // Wherever the last line breaks off, the two before it are kept, and the next is written whole.
+        let second_ends = whole[..whole.len() - 1].iter().rposition(|b| *b == b'\n').expect("lines");
+        for end in [second_ends + 1, second_ends + 2, whole.len() - 40, whole.len() - 1] {
+            fs::write(&path, &whole[..end]).expect("written");
+            let mut journal = Journal::open(folder.path())?;
+            assert!(journal.has("key0", 0) && journal.has("key1", 1) && !journal.has("key2", 2));
+            journal.keep(entry(2))?;
+            drop(journal);
+            assert_eq!(fs::read(&path).expect("the file"), whole);
+        }
+        Ok(())
+    }
+
+    #[test]
+    fn a_damaged_line_is_named_and_a_second_writer_refused() -> Result<(), JournalError> {
+        let folder = tempfile::tempdir().expect("a folder");
+        let journal = Journal::open(folder.path())?;
+        assert!(matches!(Journal::open(folder.path()), Err(JournalError::InUse { .. })));
+        drop(journal);
+        fs::write(folder.path().join(NAME), "{\"machine\":3}\n{}\n").expect("written");
+        let error = Journal::open(folder.path()).err().expect("an error").to_string();
+        assert!(error.contains("journal.jsonl, line 1") && error.contains("delete"), "{error}");
+        Ok(())
+    }
+}
