@@ -2,11 +2,13 @@
 
 mod options;
 mod render;
+mod report;
 mod values;
 mod verify;
 
 pub use options::{Backends, ReferenceBudget, RunOptions, SceneOptions};
 pub use render::{Render, Show};
+pub use report::{ReportCommand, TevOption};
 pub use values::{MaterialArg, Setting};
 pub use verify::Verify;
 
@@ -53,6 +55,8 @@ pub enum Command {
     Reference(ReferenceCommand),
     /// Compare two images in linear HDR
     Compare(Compare),
+    /// Make the report of a bench's folder again from its results and images
+    Report(ReportCommand),
     /// Check what estimators must keep to, exact answers, and what they claim
     Verify(Verify),
 }
@@ -114,6 +118,9 @@ pub struct Bench {
     /// Folder for results.json, images and report.html
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// Where images are shown while it runs.
+    #[command(flatten)]
+    pub tev: TevOption,
 }
 
 /// `interreflect probe`.

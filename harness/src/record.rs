@@ -16,6 +16,12 @@ use std::fmt;
 pub struct Results {
     /// Where it was measured, and with which build.
     pub machine: Machine,
+    /// The command that made it, quoted for a shell; empty if it is not known.
+    #[serde(default)]
+    pub command: String,
+    /// Seed of everything random; `None` if it is not known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub seed: Option<u64>,
     /// One entry per scene, estimator, fidelity, quantity and backend.
     pub runs: Vec<Run>,
 }
@@ -56,6 +62,13 @@ pub struct Run {
     /// Why nothing ran; every phase and comparison is then `None`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub skipped: Option<String>,
+    /// Hash of all that makes the scene what it is; `None` if it is not known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub scene_hash: Option<String>,
+    /// The estimate as an EXR image, relative to the folder of the results; `None` where no images
+    /// were written.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub image: Option<String>,
 }
 
 impl Run {
@@ -82,6 +95,8 @@ impl Run {
             truth: None,
             truth_missing: None,
             skipped: None,
+            scene_hash: None,
+            image: None,
         }
     }
 

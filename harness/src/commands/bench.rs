@@ -6,7 +6,7 @@ use crate::cli::Bench;
 use crate::error::HarnessError;
 use crate::gallery::Gallery;
 use crate::lab::{Lab, Loaded};
-use crate::output::{ensure_writable, write_json};
+use crate::output::{Header, Tev, ensure_writable, write_results};
 use crate::progress;
 use crate::record::{Backend, Comparison, Results, Run};
 use crate::report::Report;
@@ -31,7 +31,7 @@ pub(super) fn run(
     registry: Registry,
     command_line: &str,
 ) -> Result<(), HarnessError> {
-    let mut bench = Benching::new(command, registry)?;
+    let mut bench = Benching::new(command, registry, command_line)?;
     let scenes = match command.scenes.is_empty() {
         true => {
             let benched = library().iter().filter(|s| s.benched);
@@ -54,6 +54,7 @@ pub(super) fn run(
     if gpu {
         bench.check_gpu()?;
     }
+    let tev = command.tev.connect()?;
     if let Some(folder) = &bench.out {
         ensure_writable(folder)?;
     }
@@ -62,11 +63,12 @@ pub(super) fn run(
         let loaded = bench.lab.load(source, &command.scene, settings, gpu)?;
         bench.scene(loaded)?;
     }
-    bench.finish(command_line)
+    bench.finish(tev)
 }
 
 struct Benching<'a> {
     command: &'a Bench,
+    command_line: &'a str,
     lab: Lab,
     methods: Vec<Box<dyn Configured>>,
     quantities: Vec<Quantity>,
@@ -77,7 +79,11 @@ struct Benching<'a> {
 }
 
 impl<'a> Benching<'a> {
-    fn new(command: &'a Bench, registry: Registry) -> Result<Self, HarnessError> {
+    fn new(
+        command: &'a Bench,
+        registry: Registry,
+        command_line: &'a str,
+    ) -> Result<Self, HarnessError> {
         let lab = Lab::new(registry, &command.run)?;
         let mut ids: Vec<String> = match command.estimators.is_empty() {
             true => {
@@ -111,14 +117,17 @@ impl<'a> Benching<'a> {
             (None, true) => None,
             (None, false) => Some(PathBuf::from(OUT)),
         };
+        let header = Header::of_program(command_line, &lab.machine(), lab.seed);
+        let gallery = Gallery::new(out.as_deref(), header);
         Ok(Self {
             command,
+            command_line,
             lab,
             methods,
             quantities,
             out,
             runs: Vec::new(),
-            gallery: Gallery::default(),
+            gallery,
             failures: Vec::new(),
         })
     }
@@ -152,7 +161,7 @@ impl<'a> Benching<'a> {
                 References::new(&self.lab.cpu, &scene, quantity, &points, stop, seed);
             bar.set_message("path tracing");
             self.gallery
-                .begin(&name, quantity, &view, references.truth());
+                .begin(&name, quantity, &view, references.truth())?;
             for method in &methods {
                 for &backend in backends {
                     bar.set_message(method.info().id);
@@ -172,7 +181,9 @@ impl<'a> Benching<'a> {
                             run.phases_ms = measured.phases;
                             run.time_source = time_source;
                             run.software = software;
-                            self.gallery.add(&run, &view, &measured.estimate);
+                            let index = self.runs.len();
+                            self.gallery
+                                .add(index, &mut run, &view, &measured.estimate)?;
                         }
                         Err(why) => {
                             let (reason, failed) = skip_reason(why);
@@ -203,7 +214,7 @@ impl<'a> Benching<'a> {
 
     fn save(&self) -> Result<(), HarnessError> {
         if let Some(folder) = &self.out {
-            write_json(&folder.join("results.json"), &self.results())?;
+            write_results(folder, &self.results())?;
         }
         Ok(())
     }
@@ -211,22 +222,21 @@ impl<'a> Benching<'a> {
     fn results(&self) -> Results {
         Results {
             machine: self.lab.machine(),
+            command: self.command_line.to_owned(),
+            seed: Some(self.lab.seed),
             runs: self.runs.clone(),
         }
     }
 
-    fn finish(self, command_line: &str) -> Result<(), HarnessError> {
+    fn finish(mut self, mut tev: Option<Tev>) -> Result<(), HarnessError> {
         let results = self.results();
         if let Some(folder) = &self.out {
-            self.gallery.write(&folder.join("images"))?;
-            let report = Report {
-                title: "interreflect bench".into(),
-                command: command_line.to_owned(),
-                machine: results.machine.clone(),
-                runs: results.runs.clone(),
-                rows: self.gallery.into_rows(),
-            };
+            let rows = std::mem::take(&mut self.gallery).finish(&results.runs)?;
+            let report = Report::new(&results, rows);
             report.write(&folder.join("report.html"))?;
+            if let Some(tev) = &mut tev {
+                report.show_in(tev)?;
+            }
         }
         if self.command.json {
             print_json(&results)?;

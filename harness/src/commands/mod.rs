@@ -7,6 +7,7 @@ mod list;
 mod probe;
 mod reference;
 mod render;
+mod report;
 mod sequence;
 mod verify;
 
@@ -23,13 +24,14 @@ pub(crate) fn run(cli: Cli, registry: Registry, command_line: &str) -> Result<()
         Command::List(command) => list::run(&command, registry),
         Command::Bench(command) => bench::run(&command, registry, command_line),
         Command::Render(command) if command.show == Show::LightView => {
-            light_view::run(&command, registry)
+            light_view::run(&command, registry, command_line)
         }
         Command::Render(command) if command.frames.is_some() => sequence::run(&command, registry),
-        Command::Render(command) => render::run(&command, registry),
+        Command::Render(command) => render::run(&command, registry, command_line),
         Command::Probe(command) => probe::run(&command, registry),
-        Command::Reference(command) => reference::run(&command, registry),
+        Command::Reference(command) => reference::run(&command, registry, command_line),
         Command::Compare(command) => compare::run(&command),
+        Command::Report(command) => report::run(&command),
         Command::Verify(command) => verify::run(&command, registry),
     }
 }

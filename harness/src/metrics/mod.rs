@@ -20,6 +20,10 @@
 //! agree the standard error is too small, and relMSE gives such points most weight. An exact
 //! reference (s = 0) is always conclusive: even a difference of zero is then a result.
 
+mod formulas;
+
+pub use formulas::{FORMULAS, Formula};
+
 use crate::record::{Comparison, Verdict};
 use glam::{DVec3, Vec3};
 use interreflect_scene::{Estimate, Points};
