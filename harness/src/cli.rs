@@ -4,13 +4,17 @@ mod bench;
 mod options;
 mod render;
 mod sweep;
+mod sweep_file;
+mod report;
 mod values;
 mod verify;
 
 pub use bench::{Bench, What};
 pub use options::{Backends, ReferenceBudget, RunOptions, SceneOptions, TimingOptions};
 pub use render::{Render, Show};
-pub use sweep::{Merge, Sweep};
+pub use sweep::{Asked, Merge, Sweep};
+pub use sweep_file::expand;
+pub use report::{ReportCommand, TevOption};
 pub use values::{MaterialArg, Setting};
 pub use verify::Verify;
 
@@ -62,6 +66,8 @@ pub enum Command {
     Reference(ReferenceCommand),
     /// Compare two images in linear HDR
     Compare(Compare),
+    /// Make the report of a bench's folder again from its results and images
+    Report(ReportCommand),
     /// Check what estimators must keep to, exact answers, and what they claim
     Verify(Verify),
 }

@@ -1,6 +1,6 @@
 //! What can go wrong, and with which exit code the program ends.
 
-use crate::output::OutputError;
+use crate::output::{OutputError, TevError};
 use interreflect_cpu::scene::CpuError;
 use interreflect_cpu::tiles::CpuCxError;
 use interreflect_estimators::{EstimatorError, UnknownEstimator, Unsupported};
@@ -70,6 +70,12 @@ pub enum HarnessError {
         /// All that were carried out.
         checks: usize,
     },
+    /// Images can't be shown in tev.
+    #[error(transparent)]
+    Tev(#[from] crate::output::TevError),
+    /// The journal of a sweep can't be used.
+    #[error(transparent)]
+    Journal(#[from] crate::campaign::JournalError),
     /// The report can't be made.
     #[error(transparent)]
     Report(#[from] crate::report::ReportError),
@@ -83,10 +89,12 @@ impl HarnessError {
             | Self::Param { .. }
             | Self::UnknownEstimator(_)
             | Self::Usage(_)
+            | Self::Journal(_)
             | Self::Unsupported(_)
             | Self::CpuCx(CpuCxError::Lacking(_))
             | Self::Cpu(_)
-            | Self::Output(OutputError::Read { .. })
+            | Self::Tev(TevError::Connect { .. })
+            | Self::Output(OutputError::Read { .. } | OutputError::NoResults { .. })
             | Self::Gpu(GpuError::UnknownAdapter { .. } | GpuError::TooManyLights { .. })
             | Self::Estimator(EstimatorError::Unsupported(_) | EstimatorError::Point(_)) => 2,
             _ => 1,

@@ -1,124 +1,147 @@
 //! The images of a bench: references and estimates side by side.
 
-use crate::error::HarnessError;
-use crate::output::{ErrorMap, Exposure, error_range};
+use crate::output::{ErrorMap, Exposure, Header, OutputError, error_range};
 use crate::output::{write_error_map, write_exr, write_png, write_rgba};
 use crate::record::Run;
-use crate::report::{ImageRow, LabelledImage};
+use crate::report::ImageRow;
 use crate::view::View;
 use image::{Rgba, RgbaImage, imageops};
 use interreflect_conformance::own_model::ModelValues;
 use interreflect_estimators::Quantity;
 use interreflect_scene::Estimate;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-/// Rows of images, one per scene and quantity.
-#[derive(Default)]
+/// Name of the file that holds a row's truth.
+pub(crate) const TRUTH: &str = "truth.exr";
+
+/// Linear images, written as they come, so that a campaign that was stopped leaves what it had.
 pub(crate) struct Gallery {
-    rows: Vec<ImageRow>,
+    /// The folder of the results; without one, no images are kept.
+    folder: Option<PathBuf>,
+    /// What all images have in common.
+    header: Header,
 }
 
 impl Gallery {
-    /// Begins the row of a scene and quantity with the truth.
+    /// A gallery without images.
+    pub(crate) fn new(folder: Option<&Path>, header: Header) -> Self {
+        Self {
+            folder: folder.map(Into::into),
+            header,
+        }
+    }
+
+    /// Writes the truth of a scene and quantity.
+    ///
+    /// # Errors
+    /// [`OutputError`] if its file can't be written.
     pub(crate) fn begin(
-        &mut self,
+        &self,
         scene: &str,
         quantity: Quantity,
         view: &View,
         truth: &ModelValues,
-    ) {
-        self.rows.push(ImageRow {
-            scene: scene.into(),
-            quantity: quantity.name().into(),
-            reference: LabelledImage {
-                label: "truth".into(),
-                note: truth.description.clone(),
-                image: view.image(&truth.values),
-            },
-            estimates: Vec::new(),
-            surfaces: Some(view.surfaces()),
-        });
+    ) -> Result<(), OutputError> {
+        let Some(folder) = &self.folder else {
+            return Ok(());
+        };
+        let header = self.header.clone().of_quantity(scene, quantity.name());
+        write_exr(
+            &folder.join(folder_of(scene, quantity.name())).join(TRUTH),
+            &view.image(&truth.values),
+            Some(&view.surfaces()),
+            &header.with("reference", &truth.description),
+        )
     }
 
-    /// Adds an estimate to the row that was begun last.
-    pub(crate) fn add(&mut self, run: &Run, view: &View, estimate: &Estimate) {
-        if let Some(row) = self.rows.last_mut() {
-            row.estimates.push(LabelledImage {
-                label: run.label(),
-                note: run.backend.to_string(),
-                image: view.image(estimate),
-            });
-        }
-    }
-
-    /// Writes every image as EXR and PNG, and every map of signed errors, into a folder for each
-    /// scene and quantity, with an overview of them all.
+    /// Writes a run's estimate, under a name that no other run of its scene and quantity has, and tells the
+    /// run where it is.
     ///
     /// # Errors
-    /// [`HarnessError`] if a file can't be written.
-    pub(crate) fn write(&self, folder: &Path) -> Result<(), HarnessError> {
-        for row in &self.rows {
-            let folder = folder.join(&row.scene).join(&row.quantity);
-            let exposure = Exposure::of(&row.reference.image);
-            let surface = |i: usize| row.surfaces.as_ref().is_none_or(|s| s[i]);
-            let maps: Vec<_> = row
-                .estimates
-                .iter()
-                .filter_map(|e| ErrorMap::new(&e.image, &row.reference.image, surface))
-                .collect();
-            let range = error_range(&maps);
-            for picture in std::iter::once(&row.reference).chain(&row.estimates) {
-                let stem = file_stem(row, picture);
-                write_exr(&folder.join(format!("{stem}.exr")), &picture.image)?;
-                write_png(
-                    &folder.join(format!("{stem}.png")),
-                    &picture.image,
-                    exposure,
-                )?;
-            }
-            for (picture, map) in row.estimates.iter().zip(&maps) {
-                let stem = file_stem(row, picture);
-                write_error_map(&folder.join(format!("{stem}.error.png")), map, range)?;
-            }
-            write_rgba(
-                &folder.join("overview.png"),
-                &overview(row, &maps, exposure, range),
-            )?;
-        }
+    /// [`OutputError`] if the image can't be written.
+    pub(crate) fn add(
+        &self,
+        name: &str,
+        run: &mut Run,
+        view: &View,
+        estimate: &Estimate,
+    ) -> Result<(), OutputError> {
+        let Some(folder) = &self.folder else {
+            return Ok(());
+        };
+        let file = format!("{}/{name}.exr", folder_of(&run.scene, &run.quantity));
+        let image = view.image(estimate);
+        let header = self.header.clone().of_run(run);
+        write_exr(&folder.join(&file), &image, Some(&view.surfaces()), &header)?;
+        run.image = Some(file);
         Ok(())
     }
-
-    /// The rows, for a report.
-    pub(crate) fn into_rows(self) -> Vec<ImageRow> {
-        self.rows
-    }
 }
 
-fn file_stem(row: &ImageRow, picture: &LabelledImage) -> String {
-    let label = picture.label.replace(", ", "-").replace(' ', "_");
-    match std::ptr::eq(picture, &row.reference) {
-        true => label,
-        false => format!("{label}-{}", picture.note),
+/// Writes every image and every map of signed errors as PNG beside the linear images, and for each scene
+/// and quantity an overview of them all: what has to know the whole row.
+///
+/// # Errors
+/// [`OutputError`] if a file can't be written.
+pub(crate) fn write_pictures(
+    folder: &Path,
+    rows: &[ImageRow],
+    runs: &[Run],
+) -> Result<(), OutputError> {
+    for row in rows {
+        let exposure = Exposure::of(&row.reference.image);
+        let surface = |i: usize| row.surfaces.as_ref().is_none_or(|s| s[i]);
+        let maps: Vec<_> = row
+            .estimates
+            .iter()
+            .filter_map(|e| ErrorMap::new(&e.image, &row.reference.image, surface))
+            .collect();
+        let range = error_range(&maps);
+        let files = folder.join(folder_of(&row.scene, &row.quantity));
+        let truth = files.join(TRUTH).with_extension("png");
+        write_png(&truth, &row.reference.image, exposure)?;
+        for (picture, map) in row.estimates.iter().zip(&maps) {
+            let run = picture.run.and_then(|index| runs.get(index));
+            if let Some(file) = run.and_then(|run| run.image.as_ref()) {
+                let stem = folder.join(file.trim_end_matches(".exr"));
+                let with = |end: &str| PathBuf::from(format!("{}{end}", stem.display()));
+                write_png(&with(".png"), &picture.image, exposure)?;
+                write_error_map(&with(".error.png"), map, range)?;
+            }
+        }
+        let sheet = overview(row, &maps, exposure, range);
+        write_rgba(&files.join("overview.png"), &sheet)?;
     }
+    Ok(())
 }
 
-/// All images of a row side by side, truth first, each estimate above its map of signed errors.
+/// The folder of the images of a scene and quantity, relative to that of the results.
+pub(crate) fn folder_of(scene: &str, quantity: &str) -> String {
+    format!("images/{scene}/{quantity}")
+}
+
+/// All images of a row, truth first, each estimate above its map of signed errors, in as many lines as
+/// are needed.
 fn overview(row: &ImageRow, maps: &[ErrorMap], exposure: Exposure, range: f32) -> RgbaImage {
     const GAP: u32 = 4;
+    const COLUMNS: usize = 12;
     let (w, h) = (
         row.reference.image.width as u32,
         row.reference.image.height as u32,
     );
-    let count = 1 + row.estimates.len() as u32;
+    let count = 1 + row.estimates.len();
+    let (columns, lines) = (count.min(COLUMNS) as u32, count.div_ceil(COLUMNS) as u32);
     let white = Rgba([255; 4]);
-    let mut sheet = RgbaImage::from_pixel(count * (w + GAP) - GAP, 2 * h + GAP, white);
-    let place = |sheet: &mut RgbaImage, picture: &RgbaImage, column: usize, line: u32| {
-        let (x, y) = (column as u32 * (w + GAP), line * (h + GAP));
+    let size = (columns * (w + GAP) - GAP, lines * 2 * (h + GAP) - GAP);
+    let mut sheet = RgbaImage::from_pixel(size.0, size.1, white);
+    let place = |sheet: &mut RgbaImage, picture: &RgbaImage, index: usize, below: u32| {
+        let (column, line) = ((index % COLUMNS) as u32, (index / COLUMNS) as u32);
+        let (x, y) = (column * (w + GAP), (2 * line + below) * (h + GAP));
         imageops::replace(sheet, picture, i64::from(x), i64::from(y));
     };
     let pictures = std::iter::once(&row.reference).chain(&row.estimates);
-    for (column, picture) in pictures.enumerate() {
-        place(&mut sheet, &picture.image.tone_mapped(exposure), column, 0);
+    for (i, picture) in pictures.enumerate() {
+        place(&mut sheet, &picture.image.tone_mapped(exposure), i, 0);
     }
     for (i, map) in maps.iter().enumerate() {
         place(&mut sheet, &map.coloured(range), i + 1, 1);

@@ -25,6 +25,7 @@ pub struct Lab {
 }
 
 /// A scene on the backends.
+#[derive(Clone)]
 pub struct Loaded {
     /// On the CPU; it also traces the truth.
     pub cpu: Arc<CpuScene>,
@@ -46,6 +47,15 @@ impl Lab {
             machine: OnceLock::new(),
             gpu: OnceLock::new(),
         })
+    }
+
+    /// The CPU backend on so many threads.
+    ///
+    /// # Errors
+    /// [`HarnessError`] if they can't be had.
+    pub fn cpu_on(&self, threads: usize) -> Result<CpuCx, HarnessError> {
+        let set = self.cpu.instruction_set();
+        Ok(CpuCx::new(Some(threads), Some(set))?)
     }
 
     /// The GPU, opened once.

@@ -4,6 +4,7 @@
 //! [`run`] is the whole program: hand it a registry with methods of your own and they get the
 //! command line, the comparison and the report.
 
+pub mod campaign;
 pub mod cli;
 pub mod clock;
 mod commands;
@@ -44,7 +45,9 @@ pub fn run(registry: Registry) -> ExitCode {
 pub fn run_with(registry: Registry, arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     let words: Vec<_> = arguments.iter().map(|a| a.to_string_lossy()).collect();
-    let command_line = words.join(" ");
+    let words = words.iter().map(AsRef::as_ref);
+    // Only a NUL can't be quoted, which no argument holds.
+    let command_line = shlex::try_join(words).unwrap_or_default();
     let cli = match cli::Cli::parse_arguments(arguments.clone()) {
         Ok(cli) => cli,
         Err(cli::Stop::Information(text)) => {

@@ -1,10 +1,11 @@
 //! Where and with which build a result came about.
 
+use interreflect_scene::digest;
 use serde::{Deserialize, Serialize};
 use std::{path::Path, process::Command};
 
 /// Provenance of a set of results.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Machine {
     /// The processor's own name for itself.
     pub cpu: String,
@@ -30,7 +31,7 @@ pub struct Machine {
 }
 
 /// Versions, as of the build.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Versions {
     /// This program.
     pub interreflect: String,
@@ -86,6 +87,12 @@ impl Machine {
             platform: format!("{} {}", std::env::consts::OS, std::env::consts::ARCH),
             versions: Versions::current(),
         }
+    }
+
+    /// A short name for the machine, adapter and threads that times are of.
+    pub fn id(&self) -> String {
+        let of = (&self.cpu, self.threads, &self.instruction_set, &self.adapter, &self.driver);
+        digest(&(of, &self.platform, &self.versions))[..8].to_owned()
     }
 
     /// The adapter with its driver, and a plain word where it runs on the CPU.

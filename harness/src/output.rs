@@ -1,12 +1,19 @@
 //! Files that a run leaves: written whole or not at all.
 
+mod csv;
 mod error_map;
+mod exr;
 mod image;
+mod tev;
 
-pub use self::error_map::{ErrorMap, colour_stops, error_range};
+pub use self::csv::write_csv;
+pub use self::error_map::{ErrorMap, NOTHING, STOPS, colour_stops, error_range};
+pub use self::exr::{Header, Labelled, read_exr, read_labelled_exr, write_exr};
+pub(crate) use self::exr::unit;
 pub use self::image::{Exposure, HdrImage};
+pub use self::tev::{Tev, TevError};
 
-use ::exr::prelude as exr;
+use crate::record::Results;
 use std::{
     fs,
     io::{self, Write as _},
@@ -75,54 +82,29 @@ pub fn write_json(path: &Path, value: &impl serde::Serialize) -> Result<(), Outp
     write_atomically(path, &bytes)
 }
 
-/// Writes an image as OpenEXR with channels R, G, B in 32-bit floating point, losslessly packed.
+/// Writes `results.json`, and `results.csv` with one line for each run, into a folder.
 ///
 /// # Errors
-/// [`OutputError`] if the image can't be encoded or the file can't be written.
-pub fn write_exr(path: &Path, image: &HdrImage) -> Result<(), OutputError> {
-    use exr::WritableImage as _;
-    let pixel = |p: exr::Vec2<usize>| image.get(p.x(), p.y()).into();
-    let channels = exr::SpecificChannels::rgb(|p| -> (f32, f32, f32) { pixel(p) });
-    let size = (image.width, image.height);
-    let encoding = exr::Encoding::SMALL_LOSSLESS;
-    let layer = exr::Layer::new(size, exr::LayerAttributes::default(), encoding, channels);
-    let mut bytes = io::Cursor::new(Vec::new());
-    exr::Image::from_layer(layer)
-        .write()
-        .to_buffered(&mut bytes)
-        .map_err(|e| OutputError::Encode {
-            path: path.into(),
-            reason: e.to_string(),
-        })?;
-    write_atomically(path, bytes.get_ref())
+/// [`OutputError`] if a file can't be written.
+pub fn write_results(folder: &Path, results: &Results) -> Result<(), OutputError> {
+    write_json(&folder.join(RESULTS), results)?;
+    write_csv(&folder.join("results.csv"), &results.runs)
 }
 
-/// Reads the first RGB layer of an OpenEXR file.
+/// Name of the file that holds all results of a folder.
+pub const RESULTS: &str = "results.json";
+
+/// Reads the results that a folder holds.
 ///
 /// # Errors
-/// [`OutputError::Read`] if the file is missing, is not OpenEXR, has no RGB channels or uses a
-/// compression that is not supported.
-pub fn read_exr(path: &Path) -> Result<HdrImage, OutputError> {
-    use exr::{ReadChannels as _, ReadLayers as _};
-    let read = exr::read()
-        .no_deep_data()
-        .largest_resolution_level()
-        .rgb_channels(
-            |size, _| HdrImage::new(size.width(), size.height()),
-            |image: &mut HdrImage, p, (r, g, b): (f32, f32, f32)| {
-                image.set(p.x(), p.y(), glam::Vec3::new(r, g, b));
-            },
-        )
-        .first_valid_layer()
-        .all_attributes()
-        .from_file(path);
-    match read {
-        Ok(read) => Ok(read.layer_data.channel_data.pixels),
-        Err(e) => Err(OutputError::Read {
-            path: path.into(),
-            reason: e.to_string(),
-        }),
-    }
+/// [`OutputError::NoResults`] with the file if there are none.
+pub fn read_results(folder: &Path) -> Result<Results, OutputError> {
+    let path = folder.join(RESULTS);
+    let read = || -> io::Result<Results> { Ok(serde_json::from_slice(&fs::read(&path)?)?) };
+    read().map_err(|source| OutputError::NoResults {
+        path: path.clone(),
+        source,
+    })
 }
 
 /// Writes a tone-mapped image as PNG.
@@ -187,6 +169,17 @@ pub enum OutputError {
         path: PathBuf,
         /// What the decoder said.
         reason: String,
+    },
+    /// The folder has no results that can be read.
+    #[error(
+        "can't read the results in {}: {source}; name a folder that `bench --out` wrote",
+        path.display()
+    )]
+    NoResults {
+        /// The file.
+        path: PathBuf,
+        /// What the system or the parser said.
+        source: io::Error,
     },
 }
 

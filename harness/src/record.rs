@@ -17,11 +17,17 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fmt;
 
-/// Everything that one `bench` produced.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+/// Everything that a `bench` or a `sweep` produced.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Results {
     /// Where it was measured, and with which build.
     pub machine: Machine,
+    /// The command that made it, quoted for a shell; empty if it is not known.
+    #[serde(default)]
+    pub command: String,
+    /// Seed of everything random; `None` if it is not known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub seed: Option<u64>,
     /// One entry per scene, estimator, set of parameters, quantity and backend.
     pub runs: Vec<Run>,
     /// All machines that took part, where that is more than one.
@@ -91,6 +97,10 @@ pub struct Run {
     /// Why nothing ran; every phase and comparison is then `None`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub skipped: Option<String>,
+    /// The estimate as an EXR image, relative to the folder of the results; `None` where no images
+    /// were written.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub image: Option<String>,
 }
 
 impl Run {
@@ -122,6 +132,7 @@ impl Run {
             truth: None,
             truth_missing: None,
             skipped: None,
+            image: None,
         }
     }
 

@@ -23,6 +23,11 @@ pub fn digest(value: &impl fmt::Debug) -> String {
     hasher.0.finalize().to_hex()[..DIGITS].to_owned()
 }
 
+/// Hexadecimal digits that stand for these bytes.
+pub fn digest_of_bytes(bytes: &[u8]) -> String {
+    blake3::hash(bytes).to_hex()[..DIGITS].to_owned()
+}
+
 struct Hasher(blake3::Hasher);
 
 impl Write for Hasher {

@@ -32,7 +32,7 @@ pub use bounds::Bounds;
 pub use camera::Camera;
 pub use coarse_irradiance::CoarseIrradiance;
 pub use cube_image::CubeImage;
-pub use digest::digest;
+pub use digest::{digest, digest_of_bytes};
 pub use directional_depth::{BoundingSphere, DepthMap, DirectionalDepthSpec, DirectionalFrame};
 pub use environment::{Environment, LatLongImage};
 pub use error::{Place, SceneError};

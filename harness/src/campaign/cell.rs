@@ -50,11 +50,13 @@ impl Cell<'_> {
         task: &Task,
         backends: &[Backend],
         pulse: &mut Pulse,
-        gallery: &mut Gallery,
+        gallery: &Gallery,
+        suffix: &str,
     ) -> Result<Outcome, HarnessError> {
         let (done, failure) = match task {
             Task::Run(method, backend) => {
-                let (run, failure) = self.run(&**method, *backend, pulse, Some(gallery));
+                let image = Some((gallery, image_name(&**method, *backend, suffix)));
+                let (run, failure) = self.run(&**method, *backend, pulse, image);
                 (Done::Run(Box::new(run)), failure)
             }
             Task::Baseline(method) => {
@@ -75,7 +77,7 @@ impl Cell<'_> {
         method: &dyn Configured,
         backend: Backend,
         pulse: &mut Pulse,
-        gallery: Option<&mut Gallery>,
+        image: Option<(&Gallery, String)>,
     ) -> (Run, Option<String>) {
         let mut run = self.record(method, backend);
         let measured = self.stages.measure(backend, method, self.quantity, &self.points, &self.sampling);
@@ -104,10 +106,9 @@ impl Cell<'_> {
         run.bytes = Some(timed.measured.bytes);
         run.software = timed.software;
         run.slowed = pulse.slowed();
-        if let Some(gallery) = gallery {
-            gallery.add(&run, self.view, estimate);
-        }
-        (run, None)
+        let shown = image.map_or(Ok(()), |(gallery, name)| gallery.add(&name, &mut run, self.view, estimate));
+        let failure = shown.err().map(|why| why.to_string());
+        (run, failure)
     }
 
     fn flip(&mut self, estimate: &Estimate) -> Option<f64> {
@@ -180,6 +181,12 @@ impl Cell<'_> {
             },
         }
     }
+}
+
+/// Name of the file of an estimate's image, with what tells it from others of its method.
+fn image_name(method: &dyn Configured, backend: Backend, suffix: &str) -> String {
+    let fidelity = method.fidelity().map_or(String::new(), |f| format!("-{f}"));
+    format!("{}{fidelity}-{backend}{suffix}", method.info().id)
 }
 
 /// A method's parameters as a record keeps them.

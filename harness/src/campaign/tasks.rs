@@ -36,7 +36,7 @@ impl Task {
         lab: &Lab,
         plan: &Plan,
         quantity: Quantity,
-        with_baselines: bool,
+        concluding: bool,
     ) -> Result<Vec<Self>, HarnessError> {
         let methods = plan.methods_for(quantity);
         let mut tasks = Vec::new();
@@ -44,10 +44,10 @@ impl Task {
             let on = |backend: &Backend| Self::Run(method.boxed_clone(), *backend);
             tasks.extend(plan.backends.iter().map(on));
         }
-        if tasks.is_empty() {
+        if tasks.is_empty() || !concluding {
             return Ok(tasks);
         }
-        if with_baselines && plan.backends.contains(&Backend::Cpu) {
+        if plan.backends.contains(&Backend::Cpu) {
             let baselines = baselines(lab, quantity)?;
             tasks.extend(baselines.into_iter().map(Self::Baseline));
         }
@@ -62,6 +62,16 @@ impl Task {
         let split = methods.iter().filter(|m| m.model(quantity) != TRUTH);
         tasks.extend(split.map(|m| Self::Split(m.boxed_clone())));
         Ok(tasks)
+    }
+
+    /// What it is about, in a word.
+    pub(super) fn label(&self) -> String {
+        match self {
+            Self::Run(method, backend) => format!("{} on {backend}", method.info().id),
+            Self::Baseline(method) => format!("{} for comparison", method.info().id),
+            Self::Floor(method) => format!("what {} leaves out", method.info().id),
+            Self::Split(method) => format!("the error of {}", method.info().id),
+        }
     }
 
     /// Digest of what the task is, beside where it is done.

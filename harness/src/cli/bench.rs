@@ -1,5 +1,6 @@
 //! `interreflect bench`, and what it shares with `sweep`.
 
+use super::TevOption;
 use super::options::{Backends, ReferenceBudget, RunOptions, SceneOptions, TimingOptions};
 use super::values::{Setting, choice, count, setting};
 use clap::Args;
@@ -27,6 +28,9 @@ pub struct Bench {
     /// Folder for results.json, images and report.html
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// Where images are shown while it runs.
+    #[command(flatten)]
+    pub tev: TevOption,
 }
 
 /// What runs on the scenes, and how.

@@ -6,7 +6,7 @@ use super::render::OUT;
 use crate::cli::Render;
 use crate::error::HarnessError;
 use crate::lab::Lab;
-use crate::output::{Exposure, HdrImage, write_exr, write_png};
+use crate::output::{Exposure, HdrImage, Header, write_exr, write_png};
 use crate::stages::Stages;
 use glam::Vec3;
 use interreflect_estimators::{Quantity, Registry};
@@ -15,7 +15,11 @@ use interreflect_scene::LightViewImage;
 /// Pixels along the edge of a shown view, at least: texels are enlarged to whole blocks.
 const SHOWN: usize = 256;
 
-pub(super) fn run(command: &Render, registry: Registry) -> Result<(), HarnessError> {
+pub(super) fn run(
+    command: &Render,
+    registry: Registry,
+    command_line: &str,
+) -> Result<(), HarnessError> {
     let lab = Lab::new(registry, &command.run)?;
     let id = [command.estimator.clone()];
     lab.check_owners(&id, &command.settings)?;
@@ -47,6 +51,12 @@ pub(super) fn run(command: &Render, registry: Registry) -> Result<(), HarnessErr
                 write_exr(
                     &folder.join(format!("{stem}.exr")),
                     &sheet(&views, &values, 1),
+                    None,
+                    &Header::of_program(command_line, &lab.machine(), lab.seed)
+                        .with("scene", name)
+                        .with("estimator", id)
+                        .with("backend", backend.to_string())
+                        .with("shown", format!("light view, {channel}")),
                 )?;
                 let factor = SHOWN.div_ceil(views.size as usize);
                 let image = sheet(&views, &shown, factor);

@@ -2,13 +2,19 @@
 
 mod bench;
 mod compare;
+mod concluded;
 mod light_view;
 mod list;
+mod merge;
 mod probe;
 mod reference;
 mod render;
+mod report;
 mod sequence;
+mod sweep;
 mod verify;
+
+pub(crate) use reference::stop as reference_stop;
 
 use crate::cli::{Cli, Command, Show};
 use crate::error::HarnessError;
@@ -22,14 +28,17 @@ pub(crate) fn run(cli: Cli, registry: Registry, command_line: &str) -> Result<()
     match cli.command {
         Command::List(command) => list::run(&command, registry),
         Command::Bench(command) => bench::run(&command, registry, command_line),
+        Command::Sweep(command) => sweep::run(&command, registry, command_line),
+        Command::Merge(command) => merge::run(&command, command_line),
         Command::Render(command) if command.show == Show::LightView => {
-            light_view::run(&command, registry)
+            light_view::run(&command, registry, command_line)
         }
         Command::Render(command) if command.frames.is_some() => sequence::run(&command, registry),
-        Command::Render(command) => render::run(&command, registry),
+        Command::Render(command) => render::run(&command, registry, command_line),
         Command::Probe(command) => probe::run(&command, registry),
-        Command::Reference(command) => reference::run(&command, registry),
+        Command::Reference(command) => reference::run(&command, registry, command_line),
         Command::Compare(command) => compare::run(&command),
+        Command::Report(command) => report::run(&command),
         Command::Verify(command) => verify::run(&command, registry),
     }
 }

@@ -4,7 +4,7 @@ use super::{print_json, print_line};
 use crate::cli::{ReferenceBudget, ReferenceCommand, Setting};
 use crate::error::HarnessError;
 use crate::lab::Lab;
-use crate::output::{HdrImage, write_exr, write_json};
+use crate::output::{HdrImage, Header, write_exr, write_json};
 use crate::view::View;
 use interreflect_cpu::path_tracer::{LightPaths, Stop, trace};
 use interreflect_estimators::path_reference::path_quantity;
@@ -12,7 +12,7 @@ use interreflect_estimators::{OwnModel, Registry};
 use serde::Serialize;
 
 /// Points of a reference if none are asked for.
-pub(super) const POINTS: usize = 4096;
+const POINTS: usize = 4096;
 
 #[derive(Serialize)]
 struct Traced {
@@ -32,7 +32,11 @@ struct TracedPoint {
     standard_error: [f32; 3],
 }
 
-pub(super) fn run(command: &ReferenceCommand, registry: Registry) -> Result<(), HarnessError> {
+pub(super) fn run(
+    command: &ReferenceCommand,
+    registry: Registry,
+    command_line: &str,
+) -> Result<(), HarnessError> {
     let lab = Lab::new(registry, &command.run)?;
     let paths = light_paths(&lab, command)?;
     let loaded = lab.load(
@@ -86,7 +90,11 @@ pub(super) fn run(command: &ReferenceCommand, registry: Registry) -> Result<(), 
             ("standard_error.exr", &traced.standard_error),
         ] {
             if let Some(image) = HdrImage::from_estimate(width, height, values) {
-                write_exr(&folder.join(name), &image)?;
+                let header = Header::of_program(command_line, &lab.machine(), lab.seed)
+                    .of_quantity(&result.scene, result.quantity)
+                    .with("samples", traced.samples.to_string());
+                let surfaces = view.surfaces();
+                write_exr(&folder.join(name), &image, Some(&surfaces), &header)?;
             }
         }
     }
@@ -134,7 +142,7 @@ fn light_paths(lab: &Lab, command: &ReferenceCommand) -> Result<LightPaths, Harn
 }
 
 /// When to stop; a thousand samples if nothing is said.
-pub(super) fn stop(budget: &ReferenceBudget) -> Stop {
+pub(crate) fn stop(budget: &ReferenceBudget) -> Stop {
     let nothing = *budget == ReferenceBudget::default();
     Stop {
         samples: match budget.samples {

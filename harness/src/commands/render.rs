@@ -5,8 +5,8 @@ use crate::cli::Render;
 use crate::clock::Sampling;
 use crate::error::HarnessError;
 use crate::lab::Lab;
-use crate::output::{Exposure, HdrImage, write_exr, write_png};
-use crate::record::{Backend, Phases};
+use crate::output::{Exposure, HdrImage, Header, write_exr, write_png};
+use crate::record::{Backend, Phases, Run};
 use crate::stages::{Stages, Timed};
 use crate::view::View;
 use glam::Vec3;
@@ -34,7 +34,11 @@ struct Rendered {
     png: PathBuf,
 }
 
-pub(super) fn run(command: &Render, registry: Registry) -> Result<(), HarnessError> {
+pub(super) fn run(
+    command: &Render,
+    registry: Registry,
+    command_line: &str,
+) -> Result<(), HarnessError> {
     let lab = Lab::new(registry, &command.run)?;
     let id = [command.estimator.clone()];
     lab.check_owners(&id, &command.settings)?;
@@ -73,7 +77,21 @@ pub(super) fn run(command: &Render, registry: Registry) -> Result<(), HarnessErr
             folder.join(format!("{stem}.exr")),
             folder.join(format!("{stem}.png")),
         );
-        write_exr(&exr, &image)?;
+        let values = method.values().into_iter();
+        let run = Run {
+            fidelity: method.fidelity().map(str::to_owned),
+            params: values.map(|(field, value)| (field.name, value)).collect(),
+            ..Run::new(
+                &scene.scene().name,
+                method.info().id,
+                backend,
+                shown.quantity().name(),
+            )
+        };
+        let header = Header::of_program(command_line, &lab.machine(), lab.seed)
+            .of_run(&run)
+            .with("shown", shown.name());
+        write_exr(&exr, &image, None, &header)?;
         write_png(&png, &image, Exposure::of(&image))?;
         rendered.push(Rendered {
             scene: scene.scene().name.clone(),

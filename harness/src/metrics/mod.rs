@@ -20,6 +20,10 @@
 //! agree the standard error is too small, and relMSE gives such points most weight. An exact
 //! reference (s = 0) is always conclusive: even a difference of zero is then a result.
 
+mod formulas;
+
+pub use formulas::{FORMULAS, Formula};
+
 use crate::record::{Comparison, Verdict};
 use glam::{DVec3, Vec3};
 use interreflect_scene::{Estimate, Points};
@@ -269,3 +273,4 @@ pub(crate) fn nearest_rank(sorted: &[f64], fraction: f64) -> f64 {
 
 #[cfg(test)]
 mod tests;
+mod flip; pub use flip::{Flip, flip};

@@ -12,8 +12,8 @@ pub struct ErrorMap {
     errors: Vec<Option<f32>>,
 }
 
-/// Five stops of equal distance, from −range to +range.
-const STOPS: [[u8; 3]; 5] = [
+/// The colour map: five stops in sRGB at equal distances, from −range to +range.
+pub const STOPS: [[u8; 3]; 5] = [
     [24, 54, 128],
     [104, 160, 218],
     [245, 244, 240],
@@ -22,7 +22,7 @@ const STOPS: [[u8; 3]; 5] = [
 ];
 
 /// Colour of a pixel without a surface, or of an error that is not finite.
-const NOTHING: Rgba<u8> = Rgba([128, 128, 128, 255]);
+pub const NOTHING: Rgba<u8> = Rgba([128, 128, 128, 255]);
 
 /// The colour map's stops as CSS colours, at equal distances from −range to +range.
 pub fn colour_stops() -> impl Iterator<Item = String> {

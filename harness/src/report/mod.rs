@@ -1,19 +1,29 @@
-//! `report.html`: one file that shows what was measured, without scripts or other files.
+//! `report.html`: one file that shows what was measured, and asks no other file or machine for anything.
 //!
-//! A summary table of all runs by scene and quantity, the trade of time for error as a plot for
-//! each, and rows of images: reference, estimates, and maps of their signed errors on one scale.
+//! A table of scenes and methods whose small images open in a viewer, and for each scene and quantity:
+//! the trade of time for error as a plot, curves over parameters, what was concluded, all runs, and the
+//! command that makes it again. The viewer (`js/`) decodes the pixels when they are first shown and does
+//! the rest from them: exposure, comparison, error maps. Without scripts all but the viewer is there.
 
+mod command;
+mod curves;
+mod folder;
+mod names;
+mod page;
+mod pareto;
 mod pictures;
+mod pixels;
 mod plot;
 mod summary;
+mod table;
+
+pub use table::{Table, Tables};
 
 use crate::{
     machine::Machine,
-    output::{HdrImage, OutputError, colour_stops, write_atomically},
-    record::Run,
+    output::{HdrImage, OutputError, Tev, TevError, write_atomically},
+    record::{Results, Run},
 };
-use minijinja::{syntax::SyntaxConfig, value::Serde};
-use serde::Serialize;
 use std::path::Path;
 
 /// Everything that a report shows.
@@ -25,10 +35,14 @@ pub struct Report {
     pub command: String,
     /// Where it was measured, and with which build.
     pub machine: Machine,
+    /// Seed of everything random; `None` if it is not known.
+    pub seed: Option<u64>,
     /// All runs; they are grouped by scene and quantity in the order in which these first appear.
     pub runs: Vec<Run>,
     /// Images, a row per scene and quantity.
     pub rows: Vec<ImageRow>,
+    /// What was concluded from the runs.
+    pub conclusions: Vec<Tables>,
 }
 
 /// A reference image beside its estimates: one scene, one quantity, one camera.
@@ -53,11 +67,26 @@ pub struct LabelledImage {
     pub label: String,
     /// What else matters: backend, sample count, error. May be empty.
     pub note: String,
+    /// The run that it is the estimate of, as an index into [`Report::runs`].
+    pub run: Option<usize>,
     /// Linear radiance or irradiance.
     pub image: HdrImage,
 }
 
 impl Report {
+    /// The report of a bench.
+    pub fn new(results: &Results, rows: Vec<ImageRow>) -> Self {
+        Self {
+            title: "interreflect bench".into(),
+            command: results.command.clone(),
+            machine: results.machine.clone(),
+            seed: results.seed,
+            runs: results.runs.clone(),
+            rows,
+            conclusions: Vec::new(),
+        }
+    }
+
     /// Writes the report as one HTML file.
     ///
     /// # Errors
@@ -71,46 +100,26 @@ impl Report {
     /// # Errors
     /// [`ReportError`] if the images of a row don't fit together or can't be encoded.
     pub fn html(&self) -> Result<String, ReportError> {
-        let rows: Result<Vec<_>, _> = self.rows.iter().map(pictures::row).collect();
-        let page = Page {
-            title: &self.title,
-            command: &self.command,
-            machine: &self.machine,
-            adapter: self.machine.adapter_label(),
-            commit: self.machine.commit_label(),
-            dev_build: self.machine.versions.profile == "dev",
-            software: self.runs.iter().any(|r| r.software),
-            counts: summary::Counts::of(&self.runs),
-            sections: summary::sections(&self.runs, rows?),
-            colour_stops: colour_stops().collect::<Vec<_>>().join(", "),
-        };
-        let mut environment = minijinja::Environment::new();
-        environment.set_syntax(
-            SyntaxConfig::builder()
-                .trim_blocks(true)
-                .lstrip_blocks(true)
-                .build()?,
-        );
-        environment.add_template("report.html", include_str!("report.html"))?;
-        Ok(environment
-            .get_template("report.html")?
-            .render(Serde(page))?)
+        page::html(self)
     }
-}
 
-/// What the template sees.
-#[derive(Serialize)]
-struct Page<'a> {
-    title: &'a str,
-    command: &'a str,
-    machine: &'a Machine,
-    adapter: String,
-    commit: String,
-    dev_build: bool,
-    software: bool,
-    counts: summary::Counts,
-    sections: Vec<summary::Section>,
-    colour_stops: String,
+    /// Shows all images in tev, each row under the name of its scene and quantity.
+    ///
+    /// # Errors
+    /// [`TevError`] if tev went away.
+    pub fn show_in(&self, tev: &mut Tev) -> Result<(), TevError> {
+        for row in &self.rows {
+            let place = format!("{}/{}", row.scene, row.quantity);
+            tev.show(&format!("{place}/truth"), &row.reference.image)?;
+            for estimate in &row.estimates {
+                let run = estimate.run.and_then(|i| self.runs.get(i));
+                let variant = run.map(|run| names::variant(run, &self.runs));
+                let variant = variant.as_ref().unwrap_or(&estimate.note);
+                tev.show(&format!("{place}/{}, {variant}", estimate.label), &estimate.image)?;
+            }
+        }
+        Ok(())
+    }
 }
 
 /// Why a report could not be made.
@@ -133,6 +142,9 @@ pub enum ReportError {
     /// The file or one of the pictures can't be written.
     #[error(transparent)]
     Output(#[from] OutputError),
+    /// A plot can't be drawn.
+    #[error("can't draw a plot: {0}")]
+    Plot(String),
     /// The template is at fault.
     #[error("can't lay out the report: {0}")]
     Template(#[from] minijinja::Error),

@@ -1,76 +1,227 @@
-//! Rows of images, one exposure and one error scale in each.
+//! The images: small ones in a table of scenes and methods, and the pixels of all for the viewer.
 
-use super::{ImageRow, LabelledImage, ReportError};
-use crate::{
-    format,
-    output::{ErrorMap, Exposure, encode_png, error_range},
-};
+use super::names::variant;
+use super::pixels::{packed, packed_mask};
+use super::{ImageRow, LabelledImage, Report, ReportError};
+use crate::format;
+use crate::metrics::EPSILON_FRACTION;
+use crate::output::{ErrorMap, Exposure, NOTHING, STOPS, encode_png, error_range, unit};
 use base64::{Engine as _, engine::general_purpose::STANDARD};
-use image::RgbaImage;
+use image::{RgbaImage, imageops};
 use serde::Serialize;
 use std::path::Path;
 
-/// A row of images, encoded.
-#[derive(Clone, Serialize)]
-pub(super) struct Row {
-    #[serde(skip)]
-    scene: String,
-    #[serde(skip)]
-    quantity: String,
-    reference: Picture,
-    estimates: Vec<Pair>,
-    exposure: String,
-    range: String,
+/// Largest width of a small image, in pixels.
+const SMALL: u32 = 112;
+
+/// What the viewer knows; the names of its fields are `viewer.js`'s too.
+#[derive(Serialize)]
+pub(super) struct Viewer {
+    stops: [[u8; 3]; 5],
+    nothing: [u8; 4],
+    epsilon_fraction: f64,
+    rows: Vec<Row>,
 }
 
-/// An estimate and its error.
-#[derive(Clone, Serialize)]
-struct Pair {
-    estimate: Picture,
-    error_uri: String,
+/// A row of images of one size.
+#[derive(Serialize)]
+struct Row {
+    title: String,
+    unit: &'static str,
+    width: usize,
+    height: usize,
+    exposure: f32,
+    range: f32,
+    /// Block that says which pixels show a surface.
+    mask: Option<String>,
+    pictures: Vec<Picture>,
 }
 
-/// An image as a data URI, with its words.
-#[derive(Clone, Serialize)]
+/// An image; `id` is the page's fragment that opens it, `pixels` the block of its pixels.
+#[derive(Serialize)]
 struct Picture {
-    label: String,
+    id: String,
+    number: Option<usize>,
+    method: String,
+    variant: String,
     note: String,
-    uri: String,
+    pixels: String,
 }
 
-impl Row {
-    /// Scene and quantity.
-    pub(super) fn key(&self) -> (&str, &str) {
-        (&self.scene, &self.quantity)
+/// Packed bytes in the page.
+#[derive(Serialize)]
+pub(super) struct Block {
+    id: String,
+    data: String,
+}
+
+/// The table of scenes and methods.
+#[derive(Serialize)]
+pub(super) struct Matrix {
+    methods: Vec<String>,
+    rows: Vec<MatrixRow>,
+}
+
+#[derive(Serialize)]
+struct MatrixRow {
+    scene: String,
+    quantity: String,
+    exposure: String,
+    cells: Vec<Option<Small>>,
+}
+
+/// A small image that leads to the large one.
+#[derive(Serialize)]
+struct Small {
+    id: String,
+    label: String,
+    uri: String,
+    /// Its relMSE against the truth; empty where there is none.
+    relmse: String,
+    /// How many other images of the method there are.
+    more: usize,
+}
+
+/// Everything that a report shows of its images.
+#[derive(Default)]
+pub(super) struct Images {
+    pub(super) viewer: Viewer,
+    pub(super) blocks: Vec<Block>,
+    pub(super) matrix: Matrix,
+}
+
+impl Default for Viewer {
+    fn default() -> Self {
+        Self {
+            stops: STOPS,
+            nothing: NOTHING.0,
+            epsilon_fraction: EPSILON_FRACTION,
+            rows: Vec::new(),
+        }
     }
 }
 
-/// Encodes a row: exposure from the reference, error range from all estimates together.
-pub(super) fn row(row: &ImageRow) -> Result<Row, ReportError> {
-    let exposure = Exposure::of(&row.reference.image);
-    let maps: Result<Vec<ErrorMap>, ReportError> =
-        row.estimates.iter().map(|e| error_map(row, e)).collect();
-    let maps = maps?;
-    let range = error_range(&maps);
-    let pair = |(estimate, map): (&LabelledImage, &ErrorMap)| -> Result<Pair, ReportError> {
-        Ok(Pair {
-            estimate: picture(estimate, exposure)?,
-            error_uri: data_uri(&map.coloured(range), &estimate.label)?,
-        })
+impl Default for Matrix {
+    fn default() -> Self {
+        Self {
+            methods: vec!["truth".into()],
+            rows: Vec::new(),
+        }
+    }
+}
+
+/// Encodes all images of a report.
+pub(super) fn images(report: &Report) -> Result<Images, ReportError> {
+    let mut images = Images::default();
+    for estimate in report.rows.iter().flat_map(|row| &row.estimates) {
+        if !images.matrix.methods.contains(&estimate.label) {
+            images.matrix.methods.push(estimate.label.clone());
+        }
+    }
+    for (index, row) in report.rows.iter().enumerate() {
+        let exposure = Exposure::of(&row.reference.image);
+        let maps: Result<Vec<_>, _> = row.estimates.iter().map(|e| error_map(row, e)).collect();
+        let mask = row.surfaces.as_ref().map(|surfaces| {
+            let id = format!("mask-{index}");
+            images.blocks.push(Block {
+                id: id.clone(),
+                data: packed_mask(surfaces),
+            });
+            id
+        });
+        let all = std::iter::once(&row.reference).chain(&row.estimates);
+        let pictures = all.clone().enumerate().map(|(i, picture)| {
+            let pixels = format!("pixels-{index}-{i}");
+            images.blocks.push(Block {
+                id: pixels.clone(),
+                data: packed(&picture.image),
+            });
+            described(report, picture, pixels, (index, i))
+        });
+        let pictures: Vec<Picture> = pictures.collect();
+        let cells = images.matrix.methods.iter().enumerate().map(|(column, method)| {
+            let of_method = |(i, p): &(usize, &LabelledImage)| match column {
+                0 => *i == 0,
+                _ => *i > 0 && p.label == *method,
+            };
+            let mut same = all.clone().enumerate().filter(of_method);
+            let Some((i, picture)) = same.next() else {
+                return Ok(None);
+            };
+            small(report, picture, &pictures[i], exposure, same.count()).map(Some)
+        });
+        let cells: Result<Vec<_>, ReportError> = cells.collect();
+        images.matrix.rows.push(MatrixRow {
+            scene: row.scene.clone(),
+            quantity: row.quantity.replace('_', " "),
+            exposure: format::number(f64::from(exposure.0)),
+            cells: cells?,
+        });
+        images.viewer.rows.push(Row {
+            title: format!("{}, {}", row.scene, row.quantity.replace('_', " ")),
+            unit: unit(&row.quantity),
+            width: row.reference.image.width,
+            height: row.reference.image.height,
+            exposure: exposure.0,
+            range: error_range(&maps?),
+            mask,
+            pictures,
+        });
+    }
+    Ok(images)
+}
+
+fn described(
+    report: &Report,
+    picture: &LabelledImage,
+    pixels: String,
+    (row, index): (usize, usize),
+) -> Picture {
+    let run = picture.run.and_then(|i| Some((i + 1, report.runs.get(i)?)));
+    let (id, variant) = match run {
+        Some((number, run)) => (format!("run-{number}"), variant(run, &report.runs)),
+        None => (format!("image-{row}-{index}"), picture.note.clone()),
     };
-    Ok(Row {
-        scene: row.scene.clone(),
-        quantity: row.quantity.clone(),
-        reference: picture(&row.reference, exposure)?,
-        estimates: row
-            .estimates
-            .iter()
-            .zip(&maps)
-            .map(pair)
-            .collect::<Result<_, _>>()?,
-        exposure: format::number(f64::from(exposure.0)),
-        range: range.to_string(),
+    let software = run.is_some_and(|(_, run)| run.software);
+    let note = match (run, software) {
+        (None, _) => picture.note.clone(),
+        (Some(_), true) => "software adapter".into(),
+        (Some(_), false) => String::new(),
+    };
+    Picture {
+        id,
+        number: run.map(|(number, _)| number),
+        method: picture.label.clone(),
+        variant,
+        note,
+        pixels,
+    }
+}
+
+fn small(
+    report: &Report,
+    picture: &LabelledImage,
+    described: &Picture,
+    exposure: Exposure,
+    more: usize,
+) -> Result<Small, ReportError> {
+    let shown = picture.image.tone_mapped(exposure);
+    let truth = picture.run.and_then(|i| report.runs.get(i)?.truth.as_ref());
+    Ok(Small {
+        id: described.id.clone(),
+        label: picture.label.clone(),
+        uri: data_uri(&shrunk(shown), &picture.label)?,
+        relmse: truth.map(format::relmse).unwrap_or_default(),
+        more,
     })
+}
+
+fn shrunk(image: RgbaImage) -> RgbaImage {
+    if image.width() <= SMALL {
+        return image;
+    }
+    let height = (image.height() * SMALL).div_ceil(image.width());
+    imageops::thumbnail(&image, SMALL, height)
 }
 
 fn error_map(row: &ImageRow, estimate: &LabelledImage) -> Result<ErrorMap, ReportError> {
@@ -85,14 +236,6 @@ fn error_map(row: &ImageRow, estimate: &LabelledImage) -> Result<ErrorMap, Repor
         label: estimate.label.clone(),
         width: estimate.image.width,
         height: estimate.image.height,
-    })
-}
-
-fn picture(image: &LabelledImage, exposure: Exposure) -> Result<Picture, ReportError> {
-    Ok(Picture {
-        label: image.label.clone(),
-        note: image.note.clone(),
-        uri: data_uri(&image.image.tone_mapped(exposure), &image.label)?,
     })
 }
 

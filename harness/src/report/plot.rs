@@ -1,132 +1,250 @@
-//! The trade itself: time of a frame against error, both logarithmic.
+//! What all plots share: axes, the page's colours, and marks that lead to a run.
 
-use crate::record::{Backend, Run, Verdict};
+use super::ReportError;
+use crate::record::{Backend, Phases, Run, Timing};
+use plotters::coord::combinators::{BindKeyPoints as _, WithKeyPoints};
+use plotters::coord::types::RangedCoordf64;
+use plotters::prelude::*;
 use serde::Serialize;
 
-/// Inner size of the plot in SVG units.
-const SIZE: (f64, f64) = (520.0, 260.0);
+/// A plot whose coordinates are those of its [`Axis`].
+pub(super) type Chart<'a, 'b> = ChartContext<
+    'a,
+    SVGBackend<'b>,
+    Cartesian2d<WithKeyPoints<RangedCoordf64>, WithKeyPoints<RangedCoordf64>>,
+>;
 
-/// A scatter plot in SVG units, with the origin in the upper left corner.
-#[derive(Serialize)]
-pub(super) struct Plot {
-    width: f64,
-    height: f64,
-    /// What the vertical axis shows.
-    error_of: &'static str,
-    marks: Vec<Mark>,
-    time_ticks: Vec<Tick>,
-    error_ticks: Vec<Tick>,
-    /// Runs without a time or an error above 0, which no logarithmic axis can show.
-    left_out: usize,
+/// Why a plot could not be drawn.
+pub(super) type Failure = DrawingAreaErrorKind<std::io::Error>;
+
+/// Hues that tell estimators apart, `--hue-0` to `--hue-9` in the page's style.
+pub(super) const HUES: usize = 10;
+
+/// What a line is drawn with. Plots are drawn in stand-ins, which become the page's own colours, so
+/// that they are dark on light and light on dark.
+#[derive(Clone, Copy)]
+pub(super) enum Ink {
+    /// Axes and words.
+    Text,
+    /// The grid.
+    Grid,
+    /// An estimator's hue.
+    Hue(usize),
 }
 
-/// A run.
-#[derive(Serialize)]
-struct Mark {
-    x: f64,
-    y: f64,
-    number: usize,
-    label: String,
-    gpu: bool,
-    software: bool,
-    conclusive: bool,
-}
-
-/// A power of ten on an axis.
-#[derive(Serialize)]
-struct Tick {
-    at: f64,
-    label: String,
-}
-
-/// A logarithmic axis over whole decades.
-struct Axis {
-    first: i32,
-    last: i32,
-}
-
-impl Plot {
-    /// The plot of a section's runs, numbered as in its table; `None` if there are fewer than two
-    /// points to show. The error is the truth's, or the own model's where no run has a truth.
-    pub(super) fn of(runs: &[&Run]) -> Option<Self> {
-        let has_truth = runs.iter().any(|r| r.truth.is_some());
-        let error_of = if has_truth {
-            "the truth"
-        } else {
-            "the own model"
-        };
-        let comparison = |r: &Run| {
-            if has_truth {
-                r.truth.clone()
-            } else {
-                r.own_model.clone()
-            }
-        };
-        let mut points = Vec::new();
-        for (i, run) in runs.iter().copied().enumerate() {
-            let Some(comparison) = comparison(run) else {
-                continue;
-            };
-            let error = comparison.relmse.filter(|e| *e > 0.0);
-            let time = run.phases_ms.frame_ms().filter(|t| *t > 0.0);
-            if let (Some(time), Some(error)) = (time, error) {
-                points.push((i + 1, run, time, error, comparison.verdict));
-            }
-        }
-        if points.len() < 2 {
-            return None;
-        }
-        let times = Axis::around(points.iter().map(|p| p.2));
-        let errors = Axis::around(points.iter().map(|p| p.3));
-        let mark = |&(number, run, time, error, verdict): &(usize, &Run, f64, f64, Verdict)| Mark {
-            x: SIZE.0 * times.fraction(time),
-            y: SIZE.1 * (1.0 - errors.fraction(error)),
-            number,
-            label: format!("{}, {}", run.label(), run.backend),
-            gpu: run.backend == Backend::Gpu,
-            software: run.software,
-            conclusive: verdict == Verdict::Conclusive,
-        };
-        Some(Self {
-            width: SIZE.0,
-            height: SIZE.1,
-            error_of,
-            marks: points.iter().map(mark).collect(),
-            time_ticks: times.ticks(|f| SIZE.0 * f),
-            error_ticks: errors.ticks(|f| SIZE.1 * (1.0 - f)),
-            left_out: runs.iter().filter(|r| r.skipped.is_none()).count() - points.len(),
-        })
+impl Ink {
+    fn all() -> impl Iterator<Item = Self> {
+        [Self::Text, Self::Grid].into_iter().chain((0..HUES).map(Self::Hue))
     }
+
+    /// The stand-in.
+    pub(super) fn colour(self) -> RGBColor {
+        match self {
+            Self::Text => RGBColor(1, 0, 1),
+            Self::Grid => RGBColor(2, 0, 2),
+            Self::Hue(hue) => RGBColor(3, hue as u8, 3),
+        }
+    }
+
+    /// The colour in the page.
+    fn css(self) -> String {
+        match self {
+            Self::Text => "currentColor".into(),
+            Self::Grid => "var(--line)".into(),
+            Self::Hue(hue) => format!("var(--hue-{hue})"),
+        }
+    }
+}
+
+/// An axis: where values lie on it, and where it is labelled.
+pub(super) struct Axis {
+    log: bool,
+    range: [f64; 2],
+    ticks: Vec<f64>,
 }
 
 impl Axis {
-    /// The decades that hold all of some positive values; at least one.
-    fn around(values: impl Iterator<Item = f64> + Clone) -> Self {
-        let low = values.clone().fold(f64::INFINITY, f64::min).log10().floor() as i32;
-        let high = values.fold(0.0, f64::max).log10().ceil() as i32;
+    /// A logarithmic axis that holds positive values, labelled at powers of ten, and between them
+    /// where there are few.
+    pub(super) fn log(values: impl Iterator<Item = f64>) -> Self {
+        let [low, high] = bounds(values.map(f64::log10)).unwrap_or([0.0, 1.0]);
+        let margin = (0.08 * (high - low)).max(0.1);
+        let (low, high) = (low - margin, high + margin);
+        let steps: &[f64] = if high - low < 2.0 { &[1.0, 2.0, 5.0] } else { &[1.0] };
+        let every = (((high - low) / 8.0).ceil() as usize).max(1);
+        let decades = (low.floor() as i32..=high.ceil() as i32).step_by(every);
+        let ticks = decades.flat_map(|d| steps.iter().map(move |s| f64::from(d) + s.log10()));
         Self {
-            first: low,
-            last: high.max(low + 1),
+            log: true,
+            range: [low, high],
+            ticks: ticks.filter(|t| (low..=high).contains(t)).collect(),
         }
     }
 
-    /// Position of a positive value along the axis, 0 to 1.
-    fn fraction(&self, value: f64) -> f64 {
-        (value.log10() - f64::from(self.first)) / f64::from(self.last - self.first)
+    /// An axis of a parameter, labelled at its values: logarithmic where these are positive and span
+    /// more than a factor of four.
+    pub(super) fn at_values(values: &[f64]) -> Self {
+        let [low, high] = bounds(values.iter().copied()).unwrap_or([0.0, 1.0]);
+        let log = low > 0.0 && high > 4.0 * low;
+        let place = |v: f64| if log { v.log10() } else { v };
+        let margin = (0.06 * (place(high) - place(low))).max(1e-6);
+        let mut ticks: Vec<f64> = Vec::new();
+        for at in values.iter().map(|v| place(*v)) {
+            // Labels need room.
+            let near = |t: &f64| (t - at).abs() < margin;
+            if !ticks.iter().any(near) {
+                ticks.push(at);
+            }
+        }
+        Self {
+            log,
+            range: [place(low) - margin, place(high) + margin],
+            ticks,
+        }
     }
 
-    /// Powers of ten, at most about eight of them.
-    fn ticks(&self, place: impl Fn(f64) -> f64) -> Vec<Tick> {
-        let step = ((self.last - self.first + 7) / 8).max(1) as usize;
-        let tick = |exponent: i32| Tick {
-            at: place(self.fraction(10_f64.powi(exponent))),
-            label: match exponent {
-                -3..=4 => 10_f64.powi(exponent).to_string(),
-                _ => format!("1e{exponent}"),
-            },
-        };
-        (self.first..=self.last).step_by(step).map(tick).collect()
+    /// Where a value lies.
+    pub(super) fn at(&self, value: f64) -> f64 {
+        let at = if self.log { value.log10() } else { value };
+        at.clamp(self.range[0], self.range[1])
     }
+
+    /// The ends of the axis.
+    pub(super) fn range(&self) -> [f64; 2] {
+        self.range
+    }
+
+    fn label(&self, at: f64) -> String {
+        let value = if self.log { 10_f64.powf(at) } else { at };
+        let magnitude = value.abs();
+        if magnitude != 0.0 && !(1e-3..1e5).contains(&magnitude) {
+            return format!("{value:.0e}");
+        }
+        // Three decimals at most, and no zeros behind.
+        let text = format!("{value:.3}");
+        text.trim_end_matches('0').trim_end_matches('.').into()
+    }
+
+    fn coordinates(&self) -> WithKeyPoints<RangedCoordf64> {
+        (self.range[0]..self.range[1]).with_key_points(self.ticks.clone())
+    }
+}
+
+/// Least and greatest of finite values; `None` without any.
+fn bounds(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
+    let grow = |b: Option<[f64; 2]>, v: f64| {
+        let [low, high] = b.unwrap_or([v, v]);
+        Some([low.min(v), high.max(v)])
+    };
+    values.filter(|v| v.is_finite()).fold(None, grow)
+}
+
+/// Draws axes and what `content` adds; gives the elements within the SVG, and what `content` gives.
+pub(super) fn draw<T>(
+    size: (u32, u32),
+    axes: [&Axis; 2],
+    titles: [&str; 2],
+    content: impl FnOnce(&mut Chart<'_, '_>) -> Result<T, Failure>,
+) -> Result<(String, T), ReportError> {
+    let mut svg = String::new();
+    let drawn = draw_on(&mut svg, size, axes, titles, content);
+    let drawn = drawn.map_err(|e| ReportError::Plot(e.to_string()))?;
+    let inner = svg.split_once('>').map_or("", |(_, rest)| rest);
+    let mut inner = inner.trim().trim_end_matches("</svg>").to_owned();
+    for ink in Ink::all() {
+        let RGBColor(r, g, b) = ink.colour();
+        inner = inner.replace(&format!("#{r:02X}{g:02X}{b:02X}"), &ink.css());
+    }
+    Ok((inner, drawn))
+}
+
+fn draw_on<T>(
+    svg: &mut String,
+    size: (u32, u32),
+    [x, y]: [&Axis; 2],
+    [x_title, y_title]: [&str; 2],
+    content: impl FnOnce(&mut Chart<'_, '_>) -> Result<T, Failure>,
+) -> Result<T, Failure> {
+    let root = SVGBackend::with_string(svg, size).into_drawing_area();
+    let mut chart = ChartBuilder::on(&root)
+        .margin(6)
+        .margin_right(16)
+        .x_label_area_size(46)
+        .y_label_area_size(68)
+        .build_cartesian_2d(x.coordinates(), y.coordinates())?;
+    let words = ("sans-serif", 14).into_font().color(&Ink::Text.colour());
+    let [x_label, y_label] = [x, y].map(|axis| |at: &f64| axis.label(*at));
+    chart
+        .configure_mesh()
+        .bold_line_style(Ink::Grid.colour())
+        .light_line_style(TRANSPARENT)
+        .axis_style(Ink::Text.colour())
+        .label_style(words.clone())
+        .axis_desc_style(words)
+        .x_desc(x_title)
+        .y_desc(y_title)
+        .x_label_formatter(&x_label)
+        .y_label_formatter(&y_label)
+        .draw()?;
+    let drawn = content(&mut chart)?;
+    drop(chart);
+    root.present()?;
+    Ok(drawn)
+}
+
+/// A run in a plot: a mark that leads to its image.
+#[derive(Clone, Serialize)]
+pub(super) struct Mark {
+    x: i32,
+    y: i32,
+    /// Number of the run in the report, from 1.
+    number: usize,
+    label: String,
+    hue: usize,
+    gpu: bool,
+    software: bool,
+    conclusive: bool,
+    /// Whether its number is written beside it.
+    pub(super) named: bool,
+}
+
+impl Mark {
+    /// A mark at a place in SVG units.
+    pub(super) fn new((x, y): (i32, i32), of: &Numbered<'_>, conclusive: bool) -> Self {
+        Self {
+            x,
+            y,
+            number: of.number,
+            label: of.label.clone(),
+            hue: of.hue,
+            gpu: of.run.backend == Backend::Gpu,
+            software: of.run.software,
+            conclusive,
+            named: false,
+        }
+    }
+}
+
+/// A run with what plots and tables call it.
+#[derive(Clone)]
+pub(super) struct Numbered<'a> {
+    /// Its number in the report, from 1.
+    pub(super) number: usize,
+    /// The run.
+    pub(super) run: &'a Run,
+    /// Method, backend, and the parameters that tell it from others of the method.
+    pub(super) label: String,
+    /// Its estimator's hue.
+    pub(super) hue: usize,
+}
+
+/// Least and greatest time of a frame in milliseconds that the spread of its phases allows; `None` if
+/// nothing was shaded.
+pub(super) fn frame_interval_ms(phases: &Phases) -> Option<[f64; 2]> {
+    let frame = phases.frame_ms()?;
+    let spread = |t: Option<Timing>| t.map_or(0.0, |t| t.mad);
+    let spread = spread(phases.capture) + spread(phases.prepare) + spread(phases.shade);
+    Some([frame - spread, frame + spread])
 }
 
 #[cfg(test)]
@@ -134,15 +252,25 @@ mod tests {
     use super::*;
 
     #[test]
-    fn axes_span_whole_decades() {
-        let axis = Axis::around([0.02, 3.0].into_iter());
-        assert_eq!((axis.first, axis.last), (-2, 1));
-        assert_eq!(axis.fraction(0.01), 0.0);
-        assert_eq!(axis.fraction(10.0), 1.0);
-        let labels: Vec<_> = axis.ticks(|f| f).into_iter().map(|t| t.label).collect();
-        assert_eq!(labels, ["0.01", "0.1", "1", "10"]);
-        let one = Axis::around([1.0].into_iter());
-        assert_eq!((one.first, one.last), (0, 1));
-        assert!(Axis::around([1e-30, 1e30].into_iter()).ticks(|f| f).len() <= 9);
+    fn axes_are_labelled_where_people_look() {
+        let labels = |axis: &Axis| -> Vec<String> {
+            axis.ticks.iter().map(|t| axis.label(*t)).collect()
+        };
+        let wide = Axis::log([0.02, 300.0].into_iter());
+        assert_eq!(labels(&wide), ["0.1", "1", "10", "100"]);
+        let narrow = Axis::log([1.5, 4.0].into_iter());
+        assert_eq!(labels(&narrow), ["2", "5"]);
+        assert!(Axis::log([1e-30, 1e30].into_iter()).ticks.len() <= 9);
+        assert_eq!(labels(&Axis::at_values(&[4.0, 8.0, 32.0])), ["4", "8", "32"]);
+        assert_eq!(labels(&Axis::at_values(&[0.0, 0.5, 1.0])), ["0", "0.5", "1"]);
+    }
+
+    #[test]
+    fn values_lie_in_order_within_the_axis() {
+        let axis = Axis::log([1.0, 1000.0].into_iter());
+        let [low, high] = axis.range();
+        let places = [1.0, 10.0, 1000.0].map(|v| axis.at(v));
+        assert!(low < places[0] && places[0] < places[1] && places[2] < high);
+        assert_eq!(Axis::log(std::iter::empty()).at(1e9), Axis::log([].into_iter()).range()[1]);
     }
 }

@@ -1,6 +1,9 @@
 //! The tables: runs by scene and quantity.
 
-use super::{pictures, plot};
+use super::command::BenchCommand;
+use super::plot::Numbered;
+use super::table::Table;
+use super::{Report, ReportError, curves, names, pareto};
 use crate::{
     format,
     record::{Comparison, Run, Timing, Verdict},
@@ -22,15 +25,34 @@ pub(super) struct Counts {
 pub(super) struct Section {
     scene: String,
     quantity: String,
+    /// Hash of the scene, where it is known.
+    scene_hash: Option<String>,
+    /// The command that makes this section again.
+    command: String,
+    /// The ε of relMSE against the truth, in the quantity's unit squared.
+    epsilon: Option<String>,
     runs: Vec<Line>,
-    plot: Option<plot::Plot>,
-    pictures: Vec<pictures::Row>,
+    plot: Option<pareto::Plot>,
+    legend: Vec<Method>,
+    curves: Vec<curves::Curves>,
+    tables: Vec<Table>,
+}
+
+/// A method in the legend of plots.
+#[derive(Serialize)]
+struct Method {
+    hue: usize,
+    label: String,
+    /// Numbers of its runs.
+    numbers: Vec<usize>,
 }
 
 /// One run in words.
 #[derive(Serialize)]
 pub(super) struct Line {
     number: usize,
+    hue: usize,
+    command: String,
     estimator: String,
     fidelity: Option<String>,
     params: String,
@@ -81,46 +103,73 @@ impl Counts {
     }
 }
 
-/// Runs and pictures by scene and quantity, in the order in which these first appear.
-pub(super) fn sections(runs: &[Run], pictures: Vec<pictures::Row>) -> Vec<Section> {
+/// Runs, plots and tables by scene and quantity, in the order in which these first appear.
+pub(super) fn sections(report: &Report) -> Result<Vec<Section>, ReportError> {
+    let all = names::named(&report.runs);
+    let bench = BenchCommand::parse(&report.command);
     let mut keys: Vec<(&str, &str)> = Vec::new();
-    let of_runs = runs.iter().map(|r| (r.scene.as_str(), r.quantity.as_str()));
-    for key in of_runs.chain(pictures.iter().map(pictures::Row::key)) {
-        if !keys.contains(&key) {
-            keys.push(key);
+    let of_runs = report.runs.iter().map(|r| (&r.scene, &r.quantity));
+    let of_rows = report.rows.iter().map(|r| (&r.scene, &r.quantity));
+    for (scene, quantity) in of_runs.chain(of_rows) {
+        if !keys.contains(&(scene.as_str(), quantity.as_str())) {
+            keys.push((scene, quantity));
         }
     }
     let section = |(scene, quantity): (&str, &str)| {
-        let runs: Vec<&Run> = runs
+        let runs: Vec<Numbered<'_>> = all
             .iter()
-            .filter(|r| r.scene == scene && r.quantity == quantity)
+            .filter(|n| n.run.scene == scene && n.run.quantity == quantity)
+            .cloned()
             .collect();
-        Section {
+        let truths = || runs.iter().filter_map(|n| n.run.truth.as_ref());
+        let concluded = report.conclusions.iter();
+        let concluded = concluded.filter(|t| t.scene == scene && t.quantity == quantity);
+        Ok(Section {
             scene: scene.into(),
             quantity: quantity.replace('_', " "),
-            plot: plot::Plot::of(&runs),
-            runs: runs
-                .iter()
-                .enumerate()
-                .map(|(i, run)| line(i + 1, run))
-                .collect(),
-            pictures: pictures
-                .iter()
-                .filter(|p| p.key() == (scene, quantity))
-                .cloned()
-                .collect(),
-        }
+            scene_hash: runs.iter().find_map(|n| n.run.scene_hash.clone()),
+            command: match &bench {
+                Some(bench) => bench.section(scene, quantity),
+                None => report.command.clone(),
+            },
+            epsilon: truths().next().map(|c| format::number(c.epsilon)),
+            plot: pareto::Plot::of(&runs)?,
+            legend: legend(&runs),
+            curves: curves::curves(&runs)?,
+            tables: concluded.flat_map(|t| t.tables.clone()).collect(),
+            runs: runs.iter().map(|n| line(n, bench.as_ref())).collect(),
+        })
     };
     keys.into_iter().map(section).collect()
 }
 
-fn line(number: usize, run: &Run) -> Line {
+/// Methods in the order in which they first appear, with the numbers of the runs that took place.
+fn legend(runs: &[Numbered<'_>]) -> Vec<Method> {
+    let mut methods: Vec<Method> = Vec::new();
+    for n in runs.iter().filter(|n| n.run.skipped.is_none()) {
+        let label = n.run.label();
+        match methods.iter_mut().find(|m| m.label == label) {
+            Some(method) => method.numbers.push(n.number),
+            None => methods.push(Method {
+                hue: n.hue,
+                label,
+                numbers: vec![n.number],
+            }),
+        }
+    }
+    methods
+}
+
+fn line(of: &Numbered<'_>, bench: Option<&BenchCommand>) -> Line {
+    let run = of.run;
     let params = run.params.0.iter().filter(|(name, _)| name != FIDELITY);
     let params: Vec<String> = params
         .map(|(name, value)| format!("{name}={value}"))
         .collect();
     Line {
-        number,
+        number: of.number,
+        hue: of.hue,
+        command: bench.map(|b| b.run(run)).unwrap_or_default(),
         estimator: run.estimator.clone(),
         fidelity: run.fidelity.clone(),
         params: params.join(", "),
