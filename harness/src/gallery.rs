@@ -97,7 +97,12 @@ impl Gallery {
         let file = format!("{}/{stem}.exr", folder_of(&row.scene, &row.quantity));
         let image = view.image(estimate);
         let header = self.header.clone().of_run(run);
-        write_exr(&folder.join(&file), &image, row.surfaces.as_deref(), &header)?;
+        write_exr(
+            &folder.join(&file),
+            &image,
+            row.surfaces.as_deref(),
+            &header,
+        )?;
         run.image = Some(file);
         row.estimates.push(LabelledImage {
             label: run.label(),
@@ -157,7 +162,12 @@ fn new_stem(stems: &mut Vec<(String, ParamMap)>, run: &Run) -> String {
     let plain = format!("{}-{}", run.label().replace(", ", "-"), run.backend);
     let mut stem = plain.clone();
     if let Some((_, first)) = stems.iter().find(|(stem, _)| *stem == plain) {
-        for (name, value) in run.params.0.iter().filter(|p| first.get(&p.0) != Some(&p.1)) {
+        for (name, value) in run
+            .params
+            .0
+            .iter()
+            .filter(|p| first.get(&p.0) != Some(&p.1))
+        {
             stem += &format!("-{name}={value}");
         }
     }
@@ -208,9 +218,12 @@ mod tests {
     fn runs_that_differ_in_a_parameter_have_files_of_their_own() {
         let run = |resolution: u32| Run {
             fidelity: Some("corrected".into()),
-            params: [("resolution", Value::U32(resolution)), ("rays", Value::U32(9))]
-                .into_iter()
-                .collect(),
+            params: [
+                ("resolution", Value::U32(resolution)),
+                ("rays", Value::U32(9)),
+            ]
+            .into_iter()
+            .collect(),
             ..Run::new("box", "texels", Backend::Gpu, "irradiance")
         };
         let mut stems = Vec::new();
