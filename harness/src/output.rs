@@ -8,8 +8,8 @@ mod tev;
 
 pub use self::csv::write_csv;
 pub use self::error_map::{ErrorMap, NOTHING, STOPS, colour_stops, error_range};
-pub use self::exr::{Header, Labelled, read_exr, read_labelled_exr, write_exr};
 pub(crate) use self::exr::unit;
+pub use self::exr::{Header, Labelled, read_exr, read_labelled_exr, write_exr};
 pub use self::image::{Exposure, HdrImage};
 pub use self::tev::{Tev, TevError};
 

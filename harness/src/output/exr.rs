@@ -89,35 +89,22 @@ pub fn write_exr(
     surfaces: Option<&[bool]>,
     header: &Header,
 ) -> Result<(), OutputError> {
-    let at = |p: exr::Vec2<usize>| image.get(p.x(), p.y()).into();
-    let bytes = match surfaces {
-        None => encode(
-            image,
-            header,
-            exr::SpecificChannels::rgb(|p| -> (f32, f32, f32) { at(p) }),
-        ),
-        Some(surfaces) => encode(
-            image,
-            header,
-            exr::SpecificChannels::rgba(|p: exr::Vec2<usize>| {
-                let (r, g, b): (f32, f32, f32) = at(p);
-                let surface = surfaces.get(p.y() * image.width + p.x()) != Some(&false);
-                (r, g, b, f32::from(u8::from(surface)))
-            }),
-        ),
-    };
-    let bytes = bytes.map_err(|e| OutputError::Encode {
+    let bytes = encode(image, surfaces, header).map_err(|e| OutputError::Encode {
         path: path.into(),
         reason: e.to_string(),
     })?;
     write_atomically(path, &bytes)
 }
 
-fn encode<C>(image: &HdrImage, header: &Header, channels: C) -> exr::Result<Vec<u8>>
-where
-    C: for<'s> ::exr::image::write::channels::WritableChannels<'s>,
-{
+fn encode(image: &HdrImage, surfaces: Option<&[bool]>, header: &Header) -> exr::Result<Vec<u8>> {
     use exr::WritableImage as _;
+    let channel =
+        |name: &str, values: Vec<f32>| exr::AnyChannel::new(name, exr::FlatSamples::F32(values));
+    let colour = |c: usize| image.pixels.iter().map(|p| p[c]).collect();
+    let covered = |s: &[bool]| s.iter().map(|s| f32::from(u8::from(*s))).collect();
+    let colours = [("R", 0), ("G", 1), ("B", 2)].map(|(name, c)| channel(name, colour(c)));
+    let surfaces = surfaces.map(|s| channel("A", covered(s)));
+    let channels = exr::AnyChannels::sort(colours.into_iter().chain(surfaces).collect());
     let mut attributes = exr::LayerAttributes {
         software_name: exr::Text::new_or_none("interreflect"),
         ..exr::LayerAttributes::default()
@@ -133,7 +120,9 @@ where
             exr::Text::new_or_none(latin(value)),
         );
         if let (Some(name), Some(value)) = texts {
-            attributes.other.insert(name, exr::AttributeValue::Text(value));
+            attributes
+                .other
+                .insert(name, exr::AttributeValue::Text(value));
         }
     }
     let size = (image.width, image.height);

@@ -138,7 +138,12 @@ mod tests {
         let address = listener.local_addr().unwrap().to_string();
         let received = thread::spawn(move || {
             let mut bytes = Vec::new();
-            listener.accept().unwrap().0.read_to_end(&mut bytes).unwrap();
+            listener
+                .accept()
+                .unwrap()
+                .0
+                .read_to_end(&mut bytes)
+                .unwrap();
             bytes
         });
         let mut image = HdrImage::new(2, 1);
@@ -178,9 +183,16 @@ mod tests {
     #[test]
     fn no_tev_is_one_line_with_a_remedy() {
         // A port that was free a moment ago.
-        let address = TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().to_string();
+        let address = TcpListener::bind("127.0.0.1:0")
+            .unwrap()
+            .local_addr()
+            .unwrap()
+            .to_string();
         let message = Tev::connect(&address).unwrap_err().to_string();
-        assert!(message.contains(&address) && message.contains("--tev"), "{message}");
+        assert!(
+            message.contains(&address) && message.contains("--tev"),
+            "{message}"
+        );
         assert!(!message.contains('\n'));
     }
 }

@@ -48,7 +48,11 @@ impl BenchCommand {
             parsed.options.push(GivenOption {
                 name: name.into(),
                 shared: known.get_help_heading().is_some() || ["points", "repeat"].contains(&name),
-                value: if takes { value.or_else(|| words.next()) } else { value },
+                value: if takes {
+                    value.or_else(|| words.next())
+                } else {
+                    value
+                },
             });
         }
         Some(parsed)
@@ -56,8 +60,13 @@ impl BenchCommand {
 
     /// The command for all runs of one scene and quantity.
     pub(super) fn section(&self, scene: &str, quantity: &str) -> String {
-        let kept = |o: &&GivenOption| !["quantity", "json", "tev", "out"].contains(&o.name.as_str());
-        let words = self.options.iter().filter(kept).flat_map(GivenOption::words);
+        let kept =
+            |o: &&GivenOption| !["quantity", "json", "tev", "out"].contains(&o.name.as_str());
+        let words = self
+            .options
+            .iter()
+            .filter(kept)
+            .flat_map(GivenOption::words);
         self.with(scene, words, &[("quantity", quantity.into())])
     }
 
@@ -68,7 +77,11 @@ impl BenchCommand {
             o.name == "set" && value.starts_with("scene.")
         };
         let kept = |o: &&GivenOption| o.shared || of_scene(o);
-        let words = self.options.iter().filter(kept).flat_map(GivenOption::words);
+        let words = self
+            .options
+            .iter()
+            .filter(kept)
+            .flat_map(GivenOption::words);
         let mut own = vec![
             ("estimator", run.estimator.clone()),
             ("quantity", run.quantity.clone()),
@@ -143,7 +156,11 @@ mod tests {
              --samples 64 --seed 7 --estimator texels --points 100 --quantity glossy_radiance \
              --out again"
         );
-        assert!(command.section("elsewhere", "irradiance").contains("'my room.toml' cave"));
+        assert!(
+            command
+                .section("elsewhere", "irradiance")
+                .contains("'my room.toml' cave")
+        );
     }
 
     #[test]
@@ -161,7 +178,12 @@ mod tests {
 
     #[test]
     fn other_commands_are_left_alone() {
-        for other in ["", "interreflect", "interreflect reproduce all", "x bench --unknown 3"] {
+        for other in [
+            "",
+            "interreflect",
+            "interreflect reproduce all",
+            "x bench --unknown 3",
+        ] {
             assert!(BenchCommand::parse(other).is_none(), "{other}");
         }
     }

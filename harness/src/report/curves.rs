@@ -114,7 +114,9 @@ fn panels(lines: &[Line<'_>], parameter: &str) -> Result<Vec<Panel>, ReportError
         ("relMSE against the own model", own),
         ("capture + prepare + shade, ms", time),
     ];
-    let drawn = all.into_iter().map(|(what, number)| panel(lines, parameter, what, number));
+    let drawn = all
+        .into_iter()
+        .map(|(what, number)| panel(lines, parameter, what, number));
     let drawn: Result<Vec<_>, _> = drawn.collect();
     Ok(drawn?.into_iter().flatten().collect())
 }
@@ -136,7 +138,7 @@ fn panel(
     let (svg, marks) = draw(SIZE, [&x, &y], [parameter, what], |chart| {
         let mut marks = Vec::new();
         for line in lines {
-            marks.extend(content(chart, line, [&x, &y], number)?);
+            marks.extend(content(chart, line, number)?);
         }
         Ok(marks)
     })?;
@@ -147,12 +149,11 @@ fn panel(
 fn content(
     chart: &mut Chart<'_, '_>,
     line: &Line<'_>,
-    [x, y]: [&Axis; 2],
     number: Number,
 ) -> Result<Vec<Mark>, Failure> {
     let place = |(value, of): &(f64, &Numbered<'_>)| {
         let (shown, _) = number(of.run)?;
-        Some((x.at(*value), y.at(shown)))
+        Some((*value, shown))
     };
     let places: Vec<_> = line.0.iter().filter_map(place).collect();
     let first = line.0.first();
@@ -165,7 +166,7 @@ fn content(
     }
     let mark = |(value, of): &(f64, &Numbered<'_>)| {
         let (shown, conclusive) = number(of.run)?;
-        let at = chart.backend_coord(&(x.at(*value), y.at(shown)));
+        let at = chart.backend_coord(&(*value, shown));
         Some(Mark::new(at, of, conclusive))
     };
     Ok(line.0.iter().filter_map(mark).collect())

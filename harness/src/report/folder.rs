@@ -37,7 +37,9 @@ impl Report {
 
 /// The row of a run's scene and quantity with the truth alone.
 fn begun(folder: &Path, run: &Run) -> Result<ImageRow, ReportError> {
-    let path = folder.join(folder_of(&run.scene, &run.quantity)).join(TRUTH);
+    let path = folder
+        .join(folder_of(&run.scene, &run.quantity))
+        .join(TRUTH);
     let truth = read_labelled_exr(&path)?;
     Ok(ImageRow {
         scene: run.scene.clone(),

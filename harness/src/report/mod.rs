@@ -115,7 +115,10 @@ impl Report {
                 let run = estimate.run.and_then(|i| self.runs.get(i));
                 let variant = run.map(|run| names::variant(run, &self.runs));
                 let variant = variant.as_ref().unwrap_or(&estimate.note);
-                tev.show(&format!("{place}/{}, {variant}", estimate.label), &estimate.image)?;
+                tev.show(
+                    &format!("{place}/{}, {variant}", estimate.label),
+                    &estimate.image,
+                )?;
             }
         }
         Ok(())

@@ -12,10 +12,12 @@ pub(super) fn named(runs: &[Run]) -> Vec<Numbered<'_>> {
             estimators.push(&run.estimator);
         }
         let hue = estimators.iter().position(|e| *e == run.estimator);
+        let variant = variant(run, runs);
         all.push(Numbered {
             number: i + 1,
             run,
-            label: format!("{}, {}", run.label(), variant(run, runs)),
+            label: format!("{}, {variant}", run.label()),
+            variant,
             hue: hue.unwrap_or(0) % HUES,
         });
     }
@@ -48,16 +50,23 @@ mod tests {
     #[test]
     fn variants_name_what_differs_and_no_more() {
         let run = |resolution: u32, scene: &str| Run {
-            params: [("resolution", Value::U32(resolution)), ("rays", Value::U32(9))]
-                .into_iter()
-                .collect(),
+            params: [
+                ("resolution", Value::U32(resolution)),
+                ("rays", Value::U32(9)),
+            ]
+            .into_iter()
+            .collect(),
             ..Run::new(scene, "texels", Backend::Cpu, "irradiance")
         };
         let runs = [run(4, "box"), run(8, "box"), run(4, "cave")];
         let labels: Vec<_> = named(&runs).into_iter().map(|n| n.label).collect();
         assert_eq!(
             labels,
-            ["texels, cpu, resolution=4", "texels, cpu, resolution=8", "texels, cpu"]
+            [
+                "texels, cpu, resolution=4",
+                "texels, cpu, resolution=8",
+                "texels, cpu"
+            ]
         );
     }
 }

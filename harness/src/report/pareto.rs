@@ -5,6 +5,7 @@ use super::plot::{Axis, Chart, Failure, Ink, Mark, Numbered, draw, frame_interva
 use crate::record::{Backend, Comparison, Verdict};
 use plotters::prelude::*;
 use serde::Serialize;
+use std::ops::Range;
 
 /// Size in SVG units.
 const SIZE: (u32, u32) = (620, 420);
@@ -45,14 +46,18 @@ impl Plot {
         if places.len() < 2 {
             return Ok(None);
         }
-        let error_of = if has_truth { "the truth" } else { "the own model" };
+        let error_of = if has_truth {
+            "the truth"
+        } else {
+            "the own model"
+        };
         let floor = noise_floor(&places);
         let times = Axis::log(places.iter().flat_map(|p| [p.interval[0], p.interval[1]]));
         let errors = Axis::log(places.iter().map(|p| p.error).chain(floor));
         let y_title = format!("relMSE against {error_of}");
         let titles = ["capture + prepare + shade, ms", y_title.as_str()];
         let (svg, mut marks) = draw(SIZE, [&times, &errors], titles, |chart| {
-            content(chart, &places, &times, &errors, floor)
+            content(chart, &places, &times, floor)
         })?;
         let fronts: Vec<usize> = fronts(&places).into_iter().flatten().collect();
         for (i, mark) in marks.iter_mut().enumerate() {
@@ -71,7 +76,11 @@ impl Plot {
 }
 
 fn place<'a>(of: &'a Numbered<'a>, has_truth: bool) -> Option<Place<'a>> {
-    let comparison = if has_truth { &of.run.truth } else { &of.run.own_model };
+    let comparison = if has_truth {
+        &of.run.truth
+    } else {
+        &of.run.own_model
+    };
     let comparison = comparison.as_ref()?;
     let error = comparison.relmse.filter(|e| *e > 0.0)?;
     let time = of.run.phases_ms.frame_ms().filter(|t| *t > 0.0)?;
@@ -116,22 +125,24 @@ fn content(
     chart: &mut Chart<'_, '_>,
     places: &[Place<'_>],
     times: &Axis,
-    errors: &Axis,
     floor: Option<f64>,
 ) -> Result<Vec<Mark>, Failure> {
-    let [left, right] = times.range();
+    let Range {
+        start: left,
+        end: right,
+    } = times.range();
     if let Some(floor) = floor {
-        let line = [left, right].map(|x| (x, errors.at(floor)));
+        let line = [left, right].map(|x| (x, floor));
         chart.draw_series(DashedLineSeries::new(line, 3, 4, Ink::Text.colour().into()))?;
         let words = ("sans-serif", 12).into_font().color(&Ink::Text.colour());
-        let at = (left + 0.01 * (right - left), errors.at(floor));
-        let text = EmptyElement::at(at) + Text::new("noise floor", (0, -14), words);
+        let at = (left, floor);
+        let text = EmptyElement::at(at) + Text::new("noise floor", (4, -15), words);
         chart.draw_series([text])?;
     }
     for front in fronts(places) {
         let mut steps: Vec<(f64, f64)> = Vec::new();
         for place in front.iter().map(|i| &places[*i]) {
-            let (x, y) = (times.at(place.time), errors.at(place.error));
+            let (x, y) = (place.time, place.error);
             if let Some((_, before)) = steps.last().copied() {
                 steps.push((x, before));
             }
@@ -140,12 +151,12 @@ fn content(
         chart.draw_series(LineSeries::new(steps, Ink::Text.colour().mix(0.45)))?;
     }
     for place in places {
-        let y = errors.at(place.error);
-        let bar = place.interval.map(|t| (times.at(t), y));
+        let y = place.error;
+        let bar = place.interval.map(|t| (t, y));
         chart.draw_series(LineSeries::new(bar, Ink::Hue(place.of.hue).colour()))?;
     }
     let mark = |p: &Place<'_>| {
-        let at = chart.backend_coord(&(times.at(p.time), errors.at(p.error)));
+        let at = chart.backend_coord(&(p.time, p.error));
         Mark::new(at, p.of, p.comparison.verdict == Verdict::Conclusive)
     };
     Ok(places.iter().map(mark).collect())

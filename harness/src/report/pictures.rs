@@ -1,11 +1,12 @@
 //! The images: small ones in a table of scenes and methods, and the pixels of all for the viewer.
 
-use super::names::variant;
 use super::pixels::{packed, packed_mask};
-use super::{ImageRow, LabelledImage, Report, ReportError};
+use super::plot::Numbered;
+use super::{ImageRow, LabelledImage, Report, ReportError, names};
 use crate::format;
 use crate::metrics::EPSILON_FRACTION;
 use crate::output::{ErrorMap, Exposure, NOTHING, STOPS, encode_png, error_range, unit};
+use crate::record::Run;
 use base64::{Engine as _, engine::general_purpose::STANDARD};
 use image::{RgbaImage, imageops};
 use serde::Serialize;
@@ -42,9 +43,12 @@ struct Row {
 struct Picture {
     id: String,
     number: Option<usize>,
+    hue: Option<usize>,
     method: String,
     variant: String,
     note: String,
+    /// Its error and the time of a frame, in words.
+    figures: String,
     pixels: String,
 }
 
@@ -113,6 +117,7 @@ impl Default for Matrix {
 /// Encodes all images of a report.
 pub(super) fn images(report: &Report) -> Result<Images, ReportError> {
     let mut images = Images::default();
+    let named = names::named(&report.runs);
     for estimate in report.rows.iter().flat_map(|row| &row.estimates) {
         if !images.matrix.methods.contains(&estimate.label) {
             images.matrix.methods.push(estimate.label.clone());
@@ -136,20 +141,25 @@ pub(super) fn images(report: &Report) -> Result<Images, ReportError> {
                 id: pixels.clone(),
                 data: packed(&picture.image),
             });
-            described(report, picture, pixels, (index, i))
+            described(&named, picture, pixels, (index, i))
         });
         let pictures: Vec<Picture> = pictures.collect();
-        let cells = images.matrix.methods.iter().enumerate().map(|(column, method)| {
-            let of_method = |(i, p): &(usize, &LabelledImage)| match column {
-                0 => *i == 0,
-                _ => *i > 0 && p.label == *method,
-            };
-            let mut same = all.clone().enumerate().filter(of_method);
-            let Some((i, picture)) = same.next() else {
-                return Ok(None);
-            };
-            small(report, picture, &pictures[i], exposure, same.count()).map(Some)
-        });
+        let cells = images
+            .matrix
+            .methods
+            .iter()
+            .enumerate()
+            .map(|(column, method)| {
+                let of_method = |(i, p): &(usize, &LabelledImage)| match column {
+                    0 => *i == 0,
+                    _ => *i > 0 && p.label == *method,
+                };
+                let mut same = all.clone().enumerate().filter(of_method);
+                let Some((i, picture)) = same.next() else {
+                    return Ok(None);
+                };
+                small(report, picture, &pictures[i], exposure, same.count()).map(Some)
+            });
         let cells: Result<Vec<_>, ReportError> = cells.collect();
         images.matrix.rows.push(MatrixRow {
             scene: row.scene.clone(),
@@ -172,30 +182,52 @@ pub(super) fn images(report: &Report) -> Result<Images, ReportError> {
 }
 
 fn described(
-    report: &Report,
+    named: &[Numbered<'_>],
     picture: &LabelledImage,
     pixels: String,
     (row, index): (usize, usize),
 ) -> Picture {
-    let run = picture.run.and_then(|i| Some((i + 1, report.runs.get(i)?)));
-    let (id, variant) = match run {
-        Some((number, run)) => (format!("run-{number}"), variant(run, &report.runs)),
-        None => (format!("image-{row}-{index}"), picture.note.clone()),
-    };
-    let software = run.is_some_and(|(_, run)| run.software);
-    let note = match (run, software) {
-        (None, _) => picture.note.clone(),
-        (Some(_), true) => "software adapter".into(),
-        (Some(_), false) => String::new(),
-    };
+    let run = picture.run.and_then(|i| named.get(i));
     Picture {
-        id,
-        number: run.map(|(number, _)| number),
+        id: match run {
+            Some(of) => format!("run-{}", of.number),
+            None => format!("image-{row}-{index}"),
+        },
+        number: run.map(|of| of.number),
+        hue: run.map(|of| of.hue),
         method: picture.label.clone(),
-        variant,
-        note,
+        variant: match run {
+            Some(of) => of.variant.clone(),
+            None => picture.note.clone(),
+        },
+        note: if run.is_some() {
+            String::new()
+        } else {
+            picture.note.clone()
+        },
+        figures: run.map(|of| figures(of.run)).unwrap_or_default(),
         pixels,
     }
+}
+
+/// The error and the time of a frame of a run in words.
+fn figures(run: &Run) -> String {
+    let error = run
+        .truth
+        .as_ref()
+        .map(|c| format!("relMSE {} against the truth", format::relmse(c)));
+    let software = if run.software {
+        " (software adapter)"
+    } else {
+        ""
+    };
+    let frame = run.phases_ms.frame_ms();
+    let time = frame.map(|ms| format!("{} ms a frame{software}", format::number(ms)));
+    error
+        .into_iter()
+        .chain(time)
+        .collect::<Vec<_>>()
+        .join(" · ")
 }
 
 fn small(

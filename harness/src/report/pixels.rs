@@ -59,7 +59,9 @@ mod tests {
     fn inflated(text: &str) -> Vec<u8> {
         let mut bytes = Vec::new();
         let packed = STANDARD.decode(text).unwrap();
-        DeflateDecoder::new(packed.as_slice()).read_to_end(&mut bytes).unwrap();
+        DeflateDecoder::new(packed.as_slice())
+            .read_to_end(&mut bytes)
+            .unwrap();
         bytes
     }
 
@@ -77,7 +79,11 @@ mod tests {
                 let difference = u16::from(plane[x]) << 8 | u16::from(plane[3 + x]);
                 bits = bits.wrapping_add(difference);
                 let expected = half(image.pixels[x][channel]);
-                assert_eq!(f16::from_bits(bits), expected, "channel {channel}, pixel {x}");
+                assert_eq!(
+                    f16::from_bits(bits),
+                    expected,
+                    "channel {channel}, pixel {x}"
+                );
             }
         }
         assert_eq!(half(1e9).to_f32(), 65504.0);

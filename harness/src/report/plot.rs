@@ -2,17 +2,13 @@
 
 use super::ReportError;
 use crate::record::{Backend, Phases, Run, Timing};
-use plotters::coord::combinators::{BindKeyPoints as _, WithKeyPoints};
-use plotters::coord::types::RangedCoordf64;
+use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, ValueFormatter};
 use plotters::prelude::*;
 use serde::Serialize;
+use std::ops::Range;
 
-/// A plot whose coordinates are those of its [`Axis`].
-pub(super) type Chart<'a, 'b> = ChartContext<
-    'a,
-    SVGBackend<'b>,
-    Cartesian2d<WithKeyPoints<RangedCoordf64>, WithKeyPoints<RangedCoordf64>>,
->;
+/// A plot over two [`Axis`].
+pub(super) type Chart<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<Axis, Axis>>;
 
 /// Why a plot could not be drawn.
 pub(super) type Failure = DrawingAreaErrorKind<std::io::Error>;
@@ -34,7 +30,9 @@ pub(super) enum Ink {
 
 impl Ink {
     fn all() -> impl Iterator<Item = Self> {
-        [Self::Text, Self::Grid].into_iter().chain((0..HUES).map(Self::Hue))
+        [Self::Text, Self::Grid]
+            .into_iter()
+            .chain((0..HUES).map(Self::Hue))
     }
 
     /// The stand-in.
@@ -56,7 +54,9 @@ impl Ink {
     }
 }
 
-/// An axis: where values lie on it, and where it is labelled.
+/// An axis: where values lie on it, and where it is labelled. Ends and labels are kept as their places:
+/// of logarithms, if it is logarithmic.
+#[derive(Clone)]
 pub(super) struct Axis {
     log: bool,
     range: [f64; 2],
@@ -70,7 +70,11 @@ impl Axis {
         let [low, high] = bounds(values.map(f64::log10)).unwrap_or([0.0, 1.0]);
         let margin = (0.08 * (high - low)).max(0.1);
         let (low, high) = (low - margin, high + margin);
-        let steps: &[f64] = if high - low < 2.0 { &[1.0, 2.0, 5.0] } else { &[1.0] };
+        let steps: &[f64] = if high - low < 2.0 {
+            &[1.0, 2.0, 5.0]
+        } else {
+            &[1.0]
+        };
         let every = (((high - low) / 8.0).ceil() as usize).max(1);
         let decades = (low.floor() as i32..=high.ceil() as i32).step_by(every);
         let ticks = decades.flat_map(|d| steps.iter().map(move |s| f64::from(d) + s.log10()));
@@ -103,30 +107,44 @@ impl Axis {
         }
     }
 
-    /// Where a value lies.
-    pub(super) fn at(&self, value: f64) -> f64 {
-        let at = if self.log { value.log10() } else { value };
-        at.clamp(self.range[0], self.range[1])
+    fn place(&self, value: f64) -> f64 {
+        if self.log { value.log10() } else { value }
     }
 
-    /// The ends of the axis.
-    pub(super) fn range(&self) -> [f64; 2] {
-        self.range
+    fn value(&self, place: f64) -> f64 {
+        if self.log { 10_f64.powf(place) } else { place }
+    }
+}
+
+impl Ranged for Axis {
+    type FormatOption = NoDefaultFormatting;
+    type ValueType = f64;
+
+    /// Values beyond the ends lie at the ends.
+    fn map(&self, value: &f64, (from, to): (i32, i32)) -> i32 {
+        let [low, high] = self.range;
+        let fraction = (self.place(*value).clamp(low, high) - low) / (high - low);
+        (f64::from(from) + fraction * f64::from(to - from)).round() as i32
     }
 
-    fn label(&self, at: f64) -> String {
-        let value = if self.log { 10_f64.powf(at) } else { at };
+    fn key_points<Hint: KeyPointHint>(&self, _: Hint) -> Vec<f64> {
+        self.ticks.iter().map(|t| self.value(*t)).collect()
+    }
+
+    fn range(&self) -> Range<f64> {
+        self.value(self.range[0])..self.value(self.range[1])
+    }
+}
+
+impl ValueFormatter<f64> for Axis {
+    fn format(value: &f64) -> String {
         let magnitude = value.abs();
-        if magnitude != 0.0 && !(1e-3..1e5).contains(&magnitude) {
+        if magnitude != 0.0 && !(0.999e-3..0.999e5).contains(&magnitude) {
             return format!("{value:.0e}");
         }
         // Three decimals at most, and no zeros behind.
         let text = format!("{value:.3}");
         text.trim_end_matches('0').trim_end_matches('.').into()
-    }
-
-    fn coordinates(&self) -> WithKeyPoints<RangedCoordf64> {
-        (self.range[0]..self.range[1]).with_key_points(self.ticks.clone())
     }
 }
 
@@ -171,9 +189,8 @@ fn draw_on<T>(
         .margin_right(16)
         .x_label_area_size(46)
         .y_label_area_size(68)
-        .build_cartesian_2d(x.coordinates(), y.coordinates())?;
+        .build_cartesian_2d(x.clone(), y.clone())?;
     let words = ("sans-serif", 14).into_font().color(&Ink::Text.colour());
-    let [x_label, y_label] = [x, y].map(|axis| |at: &f64| axis.label(*at));
     chart
         .configure_mesh()
         .bold_line_style(Ink::Grid.colour())
@@ -183,8 +200,6 @@ fn draw_on<T>(
         .axis_desc_style(words)
         .x_desc(x_title)
         .y_desc(y_title)
-        .x_label_formatter(&x_label)
-        .y_label_formatter(&y_label)
         .draw()?;
     let drawn = content(&mut chart)?;
     drop(chart);
@@ -234,6 +249,8 @@ pub(super) struct Numbered<'a> {
     pub(super) run: &'a Run,
     /// Method, backend, and the parameters that tell it from others of the method.
     pub(super) label: String,
+    /// Backend, and those parameters.
+    pub(super) variant: String,
     /// Its estimator's hue.
     pub(super) hue: usize,
 }
@@ -254,23 +271,32 @@ mod tests {
     #[test]
     fn axes_are_labelled_where_people_look() {
         let labels = |axis: &Axis| -> Vec<String> {
-            axis.ticks.iter().map(|t| axis.label(*t)).collect()
+            axis.ticks
+                .iter()
+                .map(|t| Axis::format(&axis.value(*t)))
+                .collect()
         };
         let wide = Axis::log([0.02, 300.0].into_iter());
         assert_eq!(labels(&wide), ["0.1", "1", "10", "100"]);
         let narrow = Axis::log([1.5, 4.0].into_iter());
         assert_eq!(labels(&narrow), ["2", "5"]);
         assert!(Axis::log([1e-30, 1e30].into_iter()).ticks.len() <= 9);
-        assert_eq!(labels(&Axis::at_values(&[4.0, 8.0, 32.0])), ["4", "8", "32"]);
-        assert_eq!(labels(&Axis::at_values(&[0.0, 0.5, 1.0])), ["0", "0.5", "1"]);
+        assert_eq!(
+            labels(&Axis::at_values(&[4.0, 8.0, 32.0])),
+            ["4", "8", "32"]
+        );
+        assert_eq!(
+            labels(&Axis::at_values(&[0.0, 0.5, 1.0])),
+            ["0", "0.5", "1"]
+        );
     }
 
     #[test]
     fn values_lie_in_order_within_the_axis() {
         let axis = Axis::log([1.0, 1000.0].into_iter());
-        let [low, high] = axis.range();
-        let places = [1.0, 10.0, 1000.0].map(|v| axis.at(v));
-        assert!(low < places[0] && places[0] < places[1] && places[2] < high);
-        assert_eq!(Axis::log(std::iter::empty()).at(1e9), Axis::log([].into_iter()).range()[1]);
+        let places = [0.0, 1.0, 10.0, 1000.0, 1e9].map(|v| axis.map(&v, (100, 0)));
+        assert_eq!([places[0], places[4]], [100, 0], "{places:?}");
+        assert!(places.is_sorted_by(|a, b| a > b), "{places:?}");
+        assert_eq!(Axis::log(std::iter::empty()).map(&1e9, (0, 7)), 7);
     }
 }
