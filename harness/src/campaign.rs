@@ -21,7 +21,7 @@ use crate::clock::{Pulse, Sampling};
 use crate::commands::reference_stop;
 use crate::error::HarnessError;
 use crate::gallery::Gallery;
-use crate::lab::{Lab, Loaded};
+use crate::lab::Lab;
 use crate::machine::Machine;
 use crate::progress;
 use crate::record::{Backend, Results, Run};
@@ -29,11 +29,12 @@ use crate::stages::Stages;
 use crate::truth::{Cache, References};
 use crate::view::View;
 use cell::Cell;
+use interreflect_cpu::scene::CpuScene;
 use interreflect_cpu::tiles::CpuCx;
 use interreflect_estimators::Quantity;
-use interreflect_gpu::GpuError;
 use interreflect_scene::digest;
 use std::path::PathBuf;
+use std::sync::Arc;
 use tasks::Task;
 
 /// How a campaign is carried out.
@@ -75,8 +76,8 @@ struct Todo {
 
 /// A scene on the backends, with its points, for all quantities.
 struct Opened<'a> {
+    scene: Arc<CpuScene>,
     stages: Stages<'a>,
-    loaded: Loaded,
     view: View,
 }
 
@@ -109,7 +110,7 @@ impl<'a> Campaign<'a> {
         &mut self,
         mut each: impl FnMut(&Self) -> Result<(), HarnessError>,
     ) -> Result<(), HarnessError> {
-        self.check_gpu()?;
+        self.journal.on(self.lab.machine())?;
         let plan = self.plan;
         let mut cx = self.lab.cpu.clone();
         for setup in &plan.setups {
@@ -165,8 +166,8 @@ impl<'a> Campaign<'a> {
         let count = setup.run.points as usize;
         let view = cx.install(|| View::of_about(&loaded.cpu, &camera, count))?;
         Ok(Opened {
-            stages: Stages::new(cx, loaded.clone()),
-            loaded,
+            scene: loaded.cpu.clone(),
+            stages: Stages::new(cx, loaded),
             view,
         })
     }
@@ -190,7 +191,7 @@ impl<'a> Campaign<'a> {
         });
         let stop = reference_stop(&self.settings.budget);
         let seed = self.lab.seed;
-        let scene = &opened.loaded.cpu;
+        let scene = &opened.scene;
         let references = References::new(cx, scene, quantity, &points, stop, seed);
         let mut cell = Cell {
             name: setup.name.clone(),
@@ -249,22 +250,6 @@ impl<'a> Campaign<'a> {
             // A folder may hold what other sweeps left.
             false => format!("{varied}-{}", &key[..6]),
         }
-    }
-
-    /// A GPU that was asked for by name, or alone, has to be there; else its runs are skipped.
-    fn check_gpu(&self) -> Result<(), HarnessError> {
-        if !self.plan.backends.contains(&Backend::Gpu) {
-            return Ok(());
-        }
-        let Err(error) = self.lab.gpu() else {
-            return Ok(());
-        };
-        let alone = self.plan.backends == [Backend::Gpu];
-        if alone || matches!(error, GpuError::UnknownAdapter { .. }) {
-            return Err(error.into());
-        }
-        eprintln!("warning: no GPU runs: {error}");
-        Ok(())
     }
 
     /// What there is so far.

@@ -25,7 +25,6 @@ pub struct Lab {
 }
 
 /// A scene on the backends.
-#[derive(Clone)]
 pub struct Loaded {
     /// On the CPU; it also traces the truth.
     pub cpu: Arc<CpuScene>,

@@ -48,7 +48,8 @@ pub fn run_with(registry: Registry, arguments: impl IntoIterator<Item = OsString
     let words = words.iter().map(AsRef::as_ref);
     // Only a NUL can't be quoted, which no argument holds.
     let command_line = shlex::try_join(words).unwrap_or_default();
-    let cli = match cli::Cli::parse_arguments(arguments.clone()) {
+    let parsed = cli::expand(arguments).and_then(cli::Cli::parse_arguments);
+    let cli = match parsed {
         Ok(cli) => cli,
         Err(cli::Stop::Information(text)) => {
             // A reader that went away has seen enough.

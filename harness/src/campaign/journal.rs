@@ -129,8 +129,10 @@ impl Journal {
     /// # Errors
     /// [`JournalError`] if it can't be written.
     pub(crate) fn on(&mut self, machine: Machine) -> Result<(), JournalError> {
-        self.write(&Line::Machine(Box::new(machine.clone())))?;
-        self.machines.push(machine);
+        if self.machines.last() != Some(&machine) {
+            self.write(&Line::Machine(Box::new(machine.clone())))?;
+            self.machines.push(machine);
+        }
         Ok(())
     }
 

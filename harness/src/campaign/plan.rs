@@ -6,6 +6,7 @@ use crate::cli::{SceneOptions, Setting, What};
 use crate::error::HarnessError;
 use crate::lab::{Lab, SCENE};
 use crate::record::{Backend, ParamMap, ParamValue};
+use interreflect_gpu::GpuError;
 use interreflect_estimators::{Configured, OwnModel, Quantity};
 use interreflect_scene::params::{Choice, FIDELITY};
 use std::collections::BTreeSet;
@@ -74,6 +75,25 @@ impl Plan {
             true => Vec::new(),
             false => offered,
         }
+    }
+
+    /// A GPU that was asked for by name, or alone, has to be there; else its runs are skipped.
+    ///
+    /// # Errors
+    /// [`HarnessError`] if it is not there.
+    pub(crate) fn check_gpu(&self, lab: &Lab) -> Result<(), HarnessError> {
+        if !self.backends.contains(&Backend::Gpu) {
+            return Ok(());
+        }
+        let Err(error) = lab.gpu() else {
+            return Ok(());
+        };
+        let alone = self.backends == [Backend::Gpu];
+        if alone || matches!(error, GpuError::UnknownAdapter { .. }) {
+            return Err(error.into());
+        }
+        eprintln!("warning: no GPU runs: {error}");
+        Ok(())
     }
 }
 

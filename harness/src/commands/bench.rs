@@ -23,6 +23,7 @@ pub(super) fn run(
     let what = &command.what;
     let lab = Lab::new(registry, &what.run)?;
     let plan = Plan::new(&lab, &scenes(command), what, &[])?;
+    plan.check_gpu(&lab)?;
     let mut tev = command.tev.connect()?;
     let out = match (&command.out, command.json) {
         (Some(folder), _) => Some(folder.clone()),

@@ -20,6 +20,7 @@ pub(super) fn run(
     let what = &command.what;
     let lab = Lab::new(registry, &what.run)?;
     let plan = Plan::new(&lab, &command.scenes, what, &command.vary)?;
+    plan.check_gpu(&lab)?;
     let settings = Settings {
         sampling: what.timing.sampling(),
         budget: what.budget,
