@@ -27,8 +27,8 @@ if ! command -v cargo >/dev/null 2>&1; then
     exit 1
 fi
 
-if ! command -v cc >/dev/null 2>&1; then
-    apt_install "a linker for Rust is missing" gcc libc6-dev
+if ! command -v cc >/dev/null 2>&1 || ! command -v c++ >/dev/null 2>&1; then
+    apt_install "a linker for Rust, or a C++ compiler for FLIP, is missing" gcc g++ libc6-dev
 fi
 
 [ "$(uname -s)" = Linux ] || exit 0
