@@ -1,5 +1,5 @@
 #!/bin/sh
-# Installs what a build and the GPU backend need and the machine lacks: a linker for Rust and a
+# Installs what a build and the GPU backend need and the machine lacks: a linker for Rust, a C++ compiler and a
 # Vulkan driver. Says nothing and changes nothing if all is there.
 set -eu
 # shellcheck source=scripts/apt.sh
