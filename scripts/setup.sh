@@ -1,5 +1,5 @@
 #!/bin/sh
-# Installs what a build and the GPU backend need and the machine lacks: a linker for Rust and a
+# Installs what a build and the GPU backend need and the machine lacks: a linker for Rust, a C++ compiler and a
 # Vulkan driver. Says nothing and changes nothing if all is there.
 set -eu
 # shellcheck source=scripts/apt.sh
@@ -27,8 +27,8 @@ if ! command -v cargo >/dev/null 2>&1; then
     exit 1
 fi
 
-if ! command -v cc >/dev/null 2>&1; then
-    apt_install "a linker for Rust is missing" gcc libc6-dev
+if ! command -v cc >/dev/null 2>&1 || ! command -v c++ >/dev/null 2>&1; then
+    apt_install "a linker for Rust, or a C++ compiler for FLIP, is missing" gcc g++ libc6-dev
 fi
 
 [ "$(uname -s)" = Linux ] || exit 0

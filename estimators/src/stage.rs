@@ -71,6 +71,9 @@ pub trait Stage {
     /// Milliseconds spent compiling so far, or `None` where nothing is compiled.
     fn compiled_ms(&self) -> Option<f64>;
 
+    /// Bytes of captures in the host's memory; `None` where they are on a device.
+    fn host_bytes(&self, captures: &Captures<Self::Backend>) -> Option<u64>;
+
     /// Bytes of all that was made on the device so far; `None` where all is in the host's memory.
     fn made_bytes(&self) -> Option<u64>;
 }

@@ -55,7 +55,8 @@ impl Sampling {
         mut phase: impl FnMut() -> Result<Elapsed, E>,
     ) -> Result<Vec<Elapsed>, E> {
         let mut times: Vec<Elapsed> = Vec::new();
-        let mut spent_ms = first.wall_ms;
+        // A device's first run compiles: it says nothing of what the next will take.
+        let mut spent_ms = first.device_ms.map_or(first.wall_ms, |_| 0.0);
         // Looked at when the count has grown by a third: each look costs more than a short phase.
         let mut look = self.least;
         while times.len() < self.most && spent_ms < self.patience_ms {

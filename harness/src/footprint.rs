@@ -8,6 +8,9 @@ use std::alloc::System;
 #[global_allocator]
 static HEAP: Cap<System> = Cap::new(System, usize::MAX);
 
+/// Bytes of a page.
+const PAGE: u64 = 4096;
+
 /// Where the work's data lies, and how much of it there was when it was last looked at.
 pub(crate) struct Footprint {
     before: u64,
@@ -21,12 +24,16 @@ impl Footprint {
         }
     }
 
-    /// Bytes that came since the last look: on a device what was made, on the host what is kept.
+    /// Bytes that came since the last look: on a device what was made, on the host whole pages of what is
+    /// kept, since threads keep a little of their own.
     pub(crate) fn more<S: Stage>(&mut self, stage: &S) -> u64 {
         let now = held(stage);
         let more = now.saturating_sub(self.before);
         self.before = now;
-        more
+        match stage.made_bytes() {
+            Some(_) => more,
+            None => more.next_multiple_of(PAGE),
+        }
     }
 }
 

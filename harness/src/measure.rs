@@ -39,15 +39,14 @@ pub fn measure<S: Stage>(
     let needs = method.needs(quantity, &facts)?;
     let mut session = stage.open(method)?;
     let mut watch = Watch::new(stage, sampling);
-    let placing = watch.first(|| stage.place(points))?;
     let Placed {
         points: placed,
         mut out,
-    } = placing.value;
+    } = stage.place(points)?;
 
     let solve_ms = stage.solve(&needs)?;
     let first = watch.first(|| stage.capture(&needs))?;
-    let captured_bytes = first.bytes;
+    let made_bytes = first.bytes;
     let (captures, elapsed) = first.value;
     // Captures that are kept were made before this frame: neither they nor their pipelines cost it.
     let kept = scene.keeps_captures(needs.keep_within_m);
@@ -98,9 +97,9 @@ pub fn measure<S: Stage>(
             readback,
         },
         bytes: Bytes {
-            captures: captured_bytes,
+            captures: stage.host_bytes(&captures).unwrap_or(made_bytes),
             own: prepared.bytes + shaded.bytes,
-            points: placing.bytes,
+            points: (points.bytes() + estimate.bytes()) as u64,
         },
         unread,
     })

@@ -233,9 +233,9 @@ impl Phases {
 /// Bytes on the backend's side.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Bytes {
-    /// Captures, with what they were drawn by.
+    /// Captures; on a device with what they were drawn by.
     pub captures: u64,
-    /// What the method made of them, from coefficients to bindings.
+    /// What the method made of them: on the host whole pages of what it keeps.
     pub own: u64,
     /// Points and their estimate.
     pub points: u64,

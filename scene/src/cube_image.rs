@@ -22,6 +22,11 @@ pub struct CubeImage {
 }
 
 impl CubeImage {
+    /// Bytes of all its texels.
+    pub fn bytes(&self) -> usize {
+        size_of_val(&*self.radiance) + size_of_val(&*self.distance) + size_of_val(&*self.normal)
+    }
+
     /// A cube of black texels with the channels of `spec`.
     pub fn new(spec: CubeSpec) -> Self {
         let texels = conventions::CUBE_FACES * (spec.size as usize).pow(2);

@@ -57,6 +57,14 @@ pub struct LightViewImage {
 }
 
 impl LightViewImage {
+    /// Bytes of all its texels.
+    pub fn bytes(&self) -> usize {
+        let places = size_of_val(&*self.position) + size_of_val(&*self.path_m);
+        let light = size_of_val(&*self.radiance) + size_of_val(&*self.cos_light);
+        let surfaces = size_of_val(&*self.normal) + size_of_val(&*self.true_colors);
+        places + light + surfaces
+    }
+
     /// Views without a photon, with the channels of `spec`.
     pub fn new(scene: &Scene, spec: LightViewSpec) -> Self {
         Self::blank(scene.light_frames(), Bounds::of_captured(scene), spec)

@@ -87,6 +87,11 @@ pub struct Points {
 }
 
 impl Points {
+    /// Bytes of all its planes, the same on every backend.
+    pub fn bytes(&self) -> usize {
+        size_of_val(&*self.blocks)
+    }
+
     /// Lays out points; `None` is a place without a surface (a pixel that sees none).
     pub fn new(layout: PointLayout, points: impl IntoIterator<Item = Option<Point>>) -> Self {
         let stride = layout.planes() * LANES;
@@ -192,6 +197,11 @@ pub struct Estimate {
 }
 
 impl Estimate {
+    /// Bytes of all its planes, the same on every backend.
+    pub fn bytes(&self) -> usize {
+        size_of_val(&*self.blocks)
+    }
+
     /// Planes in a block.
     pub const PLANES: usize = 3;
 

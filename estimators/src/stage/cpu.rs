@@ -92,6 +92,12 @@ impl Stage for CpuStage<'_> {
         None
     }
 
+    fn host_bytes(&self, captures: &Captures<Cpu>) -> Option<u64> {
+        let cubes = captures.cubes.values().map(|cube| cube.bytes());
+        let views = captures.light_views.values().map(|views| views.bytes());
+        Some(cubes.chain(views).map(|bytes| bytes as u64).sum())
+    }
+
     fn made_bytes(&self) -> Option<u64> {
         None
     }

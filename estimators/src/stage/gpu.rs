@@ -124,6 +124,10 @@ impl Stage for GpuStage<'_> {
         Some(self.context.cache_stats().ms)
     }
 
+    fn host_bytes(&self, _captures: &Captures<Gpu>) -> Option<u64> {
+        None
+    }
+
     fn made_bytes(&self) -> Option<u64> {
         Some(self.context.made_bytes())
     }

@@ -3,7 +3,7 @@
 use super::{print_json, print_line};
 use crate::cli::Compare;
 use crate::error::HarnessError;
-use crate::metrics::{Reference, compare};
+use crate::metrics::{FLIP_REACH, Flip, Reference, compare, flip};
 use crate::output::{ErrorMap, HdrImage, error_range, read_exr, write_error_map};
 use interreflect_scene::load::open_image;
 use std::path::Path;
@@ -32,7 +32,7 @@ pub(super) fn run(command: &Compare) -> Result<(), HarnessError> {
         Ok::<_, HarnessError>(image.to_estimate())
     });
     let error = error.transpose()?;
-    let comparison = compare(
+    let mut comparison = compare(
         &estimate.to_estimate(),
         Reference {
             values: &reference.to_estimate(),
@@ -42,6 +42,8 @@ pub(super) fn run(command: &Compare) -> Result<(), HarnessError> {
         None,
     )
     .map_err(|e| HarnessError::Usage(e.to_string()))?;
+    let noticed = noticed(&estimate, &reference);
+    comparison.flip = noticed.map(|f| f.mean);
     let map = ErrorMap::new(&estimate, &reference, |_| true);
     if let (Some(folder), Some(map)) = (&command.out, map) {
         write_error_map(&folder.join("error.png"), &map, error_range([&map]))?;
@@ -51,15 +53,25 @@ pub(super) fn run(command: &Compare) -> Result<(), HarnessError> {
     }
     let number = |v: Option<f64>| v.map_or("undefined".into(), |v| format!("{v:.6e}"));
     print_line(&format!(
-        "relMSE {}  RMSE {:.6e}  energy ratio {}  99.9 % {:.6e}  max {:.6e}  noise floor {}  {}",
+        "relMSE {}  RMSE {:.6e}  energy ratio {}  99.9 % {:.6e}  max {:.6e}  noise floor {}  {}  FLIP {}",
         number(comparison.relmse),
         comparison.rmse,
         number(comparison.energy_ratio),
         comparison.p999,
         comparison.max,
         number(comparison.noise_floor),
-        comparison.verdict
+        comparison.verdict,
+        noticed.map_or(
+            "undefined: the image is smaller than its filters".into(),
+            |f| { format!("{:.4} (95 % {:.4})", f.mean, f.p95) }
+        )
     ))
+}
+
+/// FLIP over all pixels; `None` for an image that is smaller than FLIP's filters reach.
+fn noticed(estimate: &HdrImage, reference: &HdrImage) -> Option<Flip> {
+    let large_enough = reference.width.min(reference.height) > FLIP_REACH;
+    large_enough.then(|| flip(estimate, reference, |_| true))?
 }
 
 /// An EXR as it is, an HDR through the scene's loader.
@@ -79,5 +91,19 @@ fn read(path: &Path) -> Result<HdrImage, HarnessError> {
             "{}: no .exr or .hdr image by its name; compare linear images",
             path.display()
         ))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_image_smaller_than_the_filters_has_no_flip() {
+        let square = |size| HdrImage::new(size, size);
+        let nothing = square(FLIP_REACH);
+        assert_eq!(noticed(&nothing, &nothing), None);
+        let enough = square(FLIP_REACH + 1);
+        assert_eq!(noticed(&enough, &enough).map(|f| f.mean), Some(0.0));
     }
 }

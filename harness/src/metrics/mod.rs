@@ -11,7 +11,9 @@
 //! - energy ratio = Σe/Σr, signs kept, all channels alike;
 //! - 99.9th percentile and maximum of |e−r|, the percentile by nearest rank;
 //! - noise floor = Σ s²/(r²+ε) / n, the relMSE that a perfect estimate would show, since
-//!   E(e−r)² = s² where r errs independently of e.
+//!   E(e−r)² = s² where r errs independently of e;
+//! - FLIP, for images only: what a viewer notices once both are tone-mapped alike ([`flip`]). It has no
+//!   floor: noise in the reference shows in it like any other difference.
 //!
 //! A difference is *conclusive* if relMSE is more than [`NOISE_FACTOR`] times the floor, and exceeds
 //! the floor by more than [`NOISE_DEVIATIONS`] standard deviations of what noise alone would give.
@@ -23,6 +25,9 @@
 mod formulas;
 
 pub use formulas::{FORMULAS, Formula};
+mod flip;
+
+pub use flip::{FLIP_REACH, Flip, PIXELS_PER_DEGREE, flip};
 
 use crate::record::{Comparison, Verdict};
 use glam::{DVec3, Vec3};
@@ -273,4 +278,3 @@ pub(crate) fn nearest_rank(sorted: &[f64], fraction: f64) -> f64 {
 
 #[cfg(test)]
 mod tests;
-mod flip; pub use flip::{Flip, flip};

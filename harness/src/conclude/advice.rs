@@ -1,0 +1,146 @@
+//! Which method, with which parameters, within a time or up to an error.
+
+use super::candidate::{Candidate, Choice, grouped};
+use super::Metric;
+use crate::record::{Backend, Run};
+use serde::Serialize;
+
+/// What an answer has to keep to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Budget {
+    /// Most milliseconds of a frame.
+    pub ms: Option<f64>,
+    /// Largest error.
+    pub max_error: Option<f64>,
+    /// By which error.
+    pub metric: Metric,
+}
+
+impl Budget {
+    fn in_time(&self, c: &Candidate<'_>) -> bool {
+        self.ms.is_none_or(|ms| c.time.ms <= ms)
+    }
+
+    fn accurate_enough(&self, c: &Candidate<'_>) -> bool {
+        self.max_error.is_none_or(|most| c.error.value <= most)
+    }
+
+    /// Whether no noise of the candidate's puts in doubt that it keeps to the limits.
+    fn surely_holds(&self, c: &Candidate<'_>) -> bool {
+        let (slowest, largest) = (c.time.high, c.error.value + c.error.noise);
+        self.ms.is_none_or(|ms| slowest <= ms) && self.max_error.is_none_or(|most| largest <= most)
+    }
+
+    /// Only an error is limited: the time is to be small. Else the error is.
+    fn seeks_time(&self) -> bool {
+        self.ms.is_none() && self.max_error.is_some()
+    }
+}
+
+/// The answer for one scene, quantity and backend.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Advice {
+    /// What was asked.
+    pub budget: Budget,
+    /// Name of the scene.
+    pub scene: String,
+    /// Name of the estimated quantity, in snake case.
+    pub quantity: String,
+    /// Where the runs took place.
+    pub backend: Backend,
+    /// It was a software adapter: its times say nothing about a GPU.
+    pub software: bool,
+    /// What to use.
+    pub answer: Answer,
+}
+
+/// What keeps to the limits, or what comes nearest.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum Answer {
+    /// Something does.
+    Use {
+        /// The most accurate run within the time (and up to the error, if both are limited); the fastest
+        /// up to the error, if only that is.
+        choice: Box<Choice>,
+        /// Whether no noise puts in doubt that it keeps to the limits.
+        sure: bool,
+        /// Other runs within the limits that can't be told apart from it by what is sought, best first.
+        alike: Vec<Choice>,
+    },
+    /// Nothing does. At least one of the two is there.
+    Nothing {
+        /// The most accurate of the runs within the time.
+        in_time: Option<Box<Choice>>,
+        /// The fastest of the runs up to the error.
+        accurate_enough: Option<Box<Choice>>,
+    },
+}
+
+/// Answers for each scene, quantity and backend, in the order in which they first appear: with a time the
+/// most accurate run, with an error the fastest, with both the most accurate that keeps to both, with
+/// neither the most accurate of all.
+///
+/// Backends are kept apart, since the times of a software adapter say nothing about a GPU.
+pub fn advise(runs: &[Run], budget: Budget) -> Vec<Advice> {
+    let candidates = Candidate::all(runs, budget.metric);
+    let key = |r| place(r);
+    grouped(&candidates, key)
+        .into_iter()
+        .map(|((scene, quantity, backend, software), group)| Advice {
+            budget,
+            scene: scene.into(),
+            quantity: quantity.into(),
+            backend,
+            software,
+            answer: answer(&group, &budget),
+        })
+        .collect()
+}
+
+fn place(run: &Run) -> (&str, &str, Backend, bool) {
+    (&run.scene, &run.quantity, run.backend, run.software)
+}
+
+fn answer(group: &[Candidate<'_>], budget: &Budget) -> Answer {
+    let name = |c: &Candidate<'_>| Choice::of(c, group);
+    let time = |c: &Candidate<'_>| (c.time.ms, c.error.value);
+    let error = |c: &Candidate<'_>| (c.error.value, c.time.ms);
+    let in_time = sorted(group, |c| budget.in_time(c), error);
+    let accurate_enough = sorted(group, |c| budget.accurate_enough(c), time);
+    let both = if budget.seeks_time() {
+        accurate_enough.clone()
+    } else {
+        sorted(&in_time, |c| budget.accurate_enough(c), error)
+    };
+    let Some((best, others)) = both.split_first() else {
+        let nearest = |of: &[Candidate<'_>]| of.first().map(|c| Box::new(name(c)));
+        return Answer::Nothing {
+            in_time: nearest(&in_time),
+            accurate_enough: nearest(&accurate_enough),
+        };
+    };
+    let alike = others.iter().filter(|c| match budget.seeks_time() {
+        true => c.time.alike(best.time),
+        false => c.error.alike(best.error),
+    });
+    Answer::Use {
+        choice: Box::new(name(best)),
+        sure: budget.surely_holds(best),
+        alike: alike.map(name).collect(),
+    }
+}
+
+/// Those that are kept, by rising keys.
+fn sorted<'a>(
+    group: &[Candidate<'a>],
+    keep: impl Fn(&Candidate<'_>) -> bool,
+    key: impl Fn(&Candidate<'_>) -> (f64, f64),
+) -> Vec<Candidate<'a>> {
+    let mut kept: Vec<_> = group.iter().filter(|c| keep(c)).copied().collect();
+    kept.sort_by(|a, b| {
+        let (a, b) = (key(a), key(b));
+        a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1))
+    });
+    kept
+}

@@ -1,0 +1,176 @@
+//! What any scene can have at any time: path tracing, and rays gathered at each point.
+
+use super::candidate::{Candidate, FrameTime, grouped};
+use super::{Measured, Metric};
+use crate::record::{ParamValue, Run};
+use interreflect_estimators::{Method as _, path_reference::PathReference};
+use interreflect_estimators::path_reference::PathReferenceParams;
+use interreflect_scene::params::values;
+use serde::Serialize;
+use std::fmt;
+
+/// An unbiased method that every other is held against: `path_reference` with so many samples a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Baseline {
+    /// All reflections: `bounces` = 0.
+    PathTracing,
+    /// n rays a point, light reflected once: `bounces` = 1.
+    NRayGathering,
+}
+
+impl fmt::Display for Baseline {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::PathTracing => "path tracing",
+            Self::NRayGathering => "n-ray gathering",
+        })
+    }
+}
+
+const SAMPLES: &str = "samples";
+const BOUNCES: &str = "bounces";
+const SEED: &str = "seed";
+
+impl Baseline {
+    /// In the order of tables.
+    pub const ALL: [Self; 2] = [Self::PathTracing, Self::NRayGathering];
+
+    /// Which baseline a run is: the path tracer with one of their numbers of reflections, and nothing else
+    /// but samples and seed changed.
+    pub fn of(run: &Run) -> Option<Self> {
+        let path_traced = run.estimator == PathReference::INFO.id;
+        let bounces = run.params.get(BOUNCES).filter(|_| path_traced)?;
+        let usual = values(&PathReferenceParams::default());
+        let mut fixed = usual
+            .into_iter()
+            .filter(|(field, _)| ![SAMPLES, BOUNCES, SEED].contains(&field.name));
+        let unchanged = fixed.all(|(field, value)| {
+            let found = run.params.get(field.name);
+            found.is_none_or(|found| *found == ParamValue::from(value))
+        });
+        match bounces {
+            ParamValue::U32(0) if unchanged => Some(Self::PathTracing),
+            ParamValue::U32(1) if unchanged => Some(Self::NRayGathering),
+            _ => None,
+        }
+    }
+}
+
+/// What a baseline reaches between two sample counts that were measured, by straight lines in log–log.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Interpolated {
+    /// Samples a point; between the measured counts it is no whole number.
+    pub samples: f64,
+    /// What a frame takes.
+    pub frame: FrameTime,
+    /// The error; its noise is that of the noisier end.
+    pub error: Measured,
+}
+
+/// Where a limit lies on a baseline's curve. Nothing is extrapolated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Reach {
+    /// At a measured count, or between two.
+    At(Interpolated),
+    /// It would take fewer samples than this, the fewest that were measured.
+    Below(u32),
+    /// It would take more samples than this, the most that were measured.
+    Beyond(u32),
+}
+
+/// A baseline at rising sample counts; never empty.
+pub(super) struct Curve {
+    pub(super) baseline: Baseline,
+    points: Vec<(u32, Interpolated)>,
+}
+
+impl Curve {
+    /// The baselines' curves for one scene and quantity, in the order of tables. Of several runs with the
+    /// same count the first holds.
+    pub(super) fn all(runs: &[Run], scene: &str, quantity: &str, metric: Metric) -> Vec<Self> {
+        let mut here = Candidate::all(runs, metric);
+        here.retain(|c| (c.run.scene.as_str(), c.run.quantity.as_str()) == (scene, quantity));
+        let mut curves: Vec<Self> = grouped(&here, Baseline::of)
+            .into_iter()
+            .filter_map(|(baseline, group)| Self::of(baseline?, &group))
+            .collect();
+        curves.sort_by_key(|c| Baseline::ALL.iter().position(|b| *b == c.baseline));
+        curves
+    }
+
+    fn of(baseline: Baseline, group: &[Candidate<'_>]) -> Option<Self> {
+        let mut points: Vec<(u32, Interpolated)> = group.iter().filter_map(point).collect();
+        points.sort_by_key(|(samples, _)| *samples);
+        points.dedup_by_key(|(samples, _)| *samples);
+        (!points.is_empty()).then_some(Self { baseline, points })
+    }
+
+    /// What is reached in this time.
+    pub(super) fn at_time(&self, ms: f64) -> Reach {
+        let fits = |(_, p): &(u32, Interpolated)| p.frame.ms <= ms;
+        match self.points.iter().rposition(fits) {
+            None => Reach::Below(self.points[0].0),
+            Some(last) => self.on_segment(last, |p| p.frame.ms, ms),
+        }
+    }
+
+    /// What it takes to come to this error.
+    pub(super) fn at_error(&self, error: f64) -> Reach {
+        let does = |(_, p): &(u32, Interpolated)| p.error.value <= error;
+        match self.points.iter().position(does) {
+            None => Reach::Beyond(self.points[self.points.len() - 1].0),
+            Some(0) if self.points[0].1.error.value < error => Reach::Below(self.points[0].0),
+            Some(first) => self.on_segment(first.max(1) - 1, |p| p.error.value, error),
+        }
+    }
+
+    /// Between the points `i` and `i + 1`, where `key` has this value.
+    fn on_segment(&self, i: usize, key: impl Fn(&Interpolated) -> f64, value: f64) -> Reach {
+        let (samples, a) = self.points[i];
+        if key(&a) == value {
+            return Reach::At(a);
+        }
+        let Some((_, b)) = self.points.get(i + 1) else {
+            return Reach::Beyond(samples);
+        };
+        let fraction = (value / key(&a)).ln() / (key(b) / key(&a)).ln();
+        // The logarithm of an error of zero: only the end that has it is known to reach it.
+        let fraction = if key(b) > 0.0 { fraction } else { 1.0 };
+        Reach::At(between(&a, b, fraction))
+    }
+}
+
+fn point(candidate: &Candidate<'_>) -> Option<(u32, Interpolated)> {
+    let ParamValue::U32(samples) = *candidate.run.params.get(SAMPLES)? else {
+        return None;
+    };
+    let point = Interpolated {
+        samples: samples.into(),
+        frame: candidate.time,
+        error: candidate.error,
+    };
+    (samples > 0 && candidate.time.low > 0.0).then_some((samples, point))
+}
+
+fn between(a: &Interpolated, b: &Interpolated, fraction: f64) -> Interpolated {
+    let log = |a: f64, b: f64| a * (b / a).powf(fraction);
+    Interpolated {
+        samples: log(a.samples, b.samples),
+        frame: FrameTime {
+            ms: log(a.frame.ms, b.frame.ms),
+            low: log(a.frame.low, b.frame.low),
+            high: log(a.frame.high, b.frame.high),
+        },
+        error: Measured {
+            // Without a logarithm the larger end's error holds: that of fewer samples was reached.
+            value: match a.error.value > 0.0 && b.error.value > 0.0 {
+                true => log(a.error.value, b.error.value),
+                false if fraction < 1.0 => a.error.value.max(b.error.value),
+                false => b.error.value,
+            },
+            noise: a.error.noise.max(b.error.noise),
+            conclusive: a.error.conclusive && b.error.conclusive,
+        },
+    }
+}
