@@ -277,7 +277,7 @@ mod tests {
                 .collect()
         };
         let wide = Axis::log([0.02, 300.0].into_iter());
-        assert_eq!(labels(&wide), ["0.1", "1", "10", "100"]);
+        assert_eq!(labels(&wide), ["0.01", "0.1", "1", "10", "100"]);
         let narrow = Axis::log([1.5, 4.0].into_iter());
         assert_eq!(labels(&narrow), ["2", "5"]);
         assert!(Axis::log([1e-30, 1e30].into_iter()).ticks.len() <= 9);
