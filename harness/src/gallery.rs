@@ -28,13 +28,12 @@ pub(crate) struct Gallery {
 }
 
 impl Gallery {
-    /// A gallery without rows.
-    pub(crate) fn new(folder: Option<&Path>, header: Header) -> Self {
+    /// A gallery without rows, in the folder of the results.
+    pub(crate) fn new(folder: &Path, header: Header) -> Self {
         Self {
-            folder: folder.map(Into::into),
+            folder: Some(folder.into()),
             header,
-            rows: Vec::new(),
-            stems: Vec::new(),
+            ..Self::default()
         }
     }
 

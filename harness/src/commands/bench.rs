@@ -57,6 +57,9 @@ pub(super) fn run(
     let tev = command.tev.connect()?;
     if let Some(folder) = &bench.out {
         ensure_writable(folder)?;
+        // By now the adapter is open, which the machine's description names.
+        let header = Header::of_program(command_line, &bench.lab.machine(), bench.lab.seed);
+        bench.gallery = Gallery::new(folder, header);
     }
     for source in &scenes {
         let settings = &command.settings;
@@ -117,8 +120,6 @@ impl<'a> Benching<'a> {
             (None, true) => None,
             (None, false) => Some(PathBuf::from(OUT)),
         };
-        let header = Header::of_program(command_line, &lab.machine(), lab.seed);
-        let gallery = Gallery::new(out.as_deref(), header);
         Ok(Self {
             command,
             command_line,
@@ -127,7 +128,7 @@ impl<'a> Benching<'a> {
             quantities,
             out,
             runs: Vec::new(),
-            gallery,
+            gallery: Gallery::default(),
             failures: Vec::new(),
         })
     }

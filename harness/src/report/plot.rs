@@ -238,6 +238,11 @@ impl Mark {
             named: false,
         }
     }
+
+    /// Whether the number of this mark would cover another's.
+    pub(super) fn hides(&self, other: &Self) -> bool {
+        (self.x - other.x).abs() < 22 && (self.y - other.y).abs() < 13
+    }
 }
 
 /// A run with what plots and tables call it.
