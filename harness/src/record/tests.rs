@@ -57,6 +57,8 @@ fn run() -> Run {
         truth: Some(comparison()),
         truth_missing: None,
         skipped: None,
+        scene_hash: None,
+        image: None,
     }
 }
 
@@ -65,6 +67,8 @@ fn run() -> Run {
 fn json_has_the_contract_s_keys() {
     let results = Results {
         machine: Machine::detect(2, "avx2", None),
+        command: "interreflect bench".into(),
+        seed: Some(1),
         runs: vec![run()],
     };
     let json = serde_json::to_value(&results).unwrap();

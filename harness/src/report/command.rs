@@ -4,12 +4,22 @@ use crate::cli::Cli;
 use crate::record::Run;
 use clap::CommandFactory as _;
 
+/// Commands that run estimators on scenes.
+const VERBS: [&str; 2] = ["bench", "sweep"];
+
+/// Headings of options that hold for every run alike.
+const SHARED: [&str; 4] = ["Timing", "Scene", "Reference", "Run"];
+
+/// Options that are not for a part.
+const WHOLE: [&str; 4] = ["quantity", "json", "tev", "out"];
+
 /// Folder of what is made again, so that the whole stays what it is.
 const OUT: &str = "again";
 
-/// A bench's command line, taken apart.
+/// A command line that runs estimators, taken apart.
 pub(super) struct BenchCommand {
     program: String,
+    verb: String,
     scenes: Vec<String>,
     options: Vec<GivenOption>,
 }
@@ -17,20 +27,22 @@ pub(super) struct BenchCommand {
 /// An option as it was given.
 struct GivenOption {
     name: String,
-    /// Whether it is one of those that change scenes, references or the machine's part.
+    /// Whether it holds for every run alike.
     shared: bool,
     value: Option<String>,
 }
 
 impl BenchCommand {
-    /// Takes a command apart; `None` if it is not a bench's.
+    /// Takes a command apart; `None` if it is another.
     pub(super) fn parse(command: &str) -> Option<Self> {
         let mut words = shlex::split(command)?.into_iter();
         let (program, verb) = (words.next()?, words.next()?);
         let cli = Cli::command();
-        let bench = cli.find_subcommand(&verb).filter(|_| verb == "bench")?;
+        let known_verb = VERBS.contains(&verb.as_str());
+        let bench = cli.find_subcommand(&verb).filter(|_| known_verb)?;
         let mut parsed = Self {
             program,
+            verb,
             scenes: Vec::new(),
             options: Vec::new(),
         };
@@ -47,7 +59,11 @@ impl BenchCommand {
             let takes = known.get_action().takes_values() && !known.is_require_equals_set();
             parsed.options.push(GivenOption {
                 name: name.into(),
-                shared: known.get_help_heading().is_some() || ["points", "repeat"].contains(&name),
+                shared: !WHOLE.contains(&name)
+                    && (known
+                        .get_help_heading()
+                        .is_some_and(|h| SHARED.contains(&h))
+                        || ["points", "repeat"].contains(&name)),
                 value: if takes {
                     value.or_else(|| words.next())
                 } else {
@@ -60,18 +76,23 @@ impl BenchCommand {
 
     /// The command for all runs of one scene and quantity.
     pub(super) fn section(&self, scene: &str, quantity: &str) -> String {
-        let kept =
-            |o: &&GivenOption| !["quantity", "json", "tev", "out"].contains(&o.name.as_str());
-        let words = self
-            .options
-            .iter()
-            .filter(kept)
-            .flat_map(GivenOption::words);
-        self.with(scene, words, &[("quantity", quantity.into())])
+        let kept = |o: &&GivenOption| !WHOLE.contains(&o.name.as_str());
+        let words = self.options.iter().filter(kept);
+        let words = words.flat_map(GivenOption::words);
+        self.with(&self.verb, scene, words, &[("quantity", quantity.into())])
     }
 
-    /// The command for one run alone.
-    pub(super) fn run(&self, run: &Run) -> String {
+    /// The command for one run alone; `None` where a file or a range of values, not the command, says how
+    /// it was made.
+    pub(super) fn run(&self, run: &Run) -> Option<String> {
+        let varied = |o: &GivenOption| {
+            let value = o.value.as_deref().unwrap_or_default();
+            o.name == "vary" && (value.starts_with("scene.") || value.starts_with("run."))
+        };
+        let from_file = self.verb != VERBS[0] && !self.scenes.iter().any(|s| holds(s, &run.scene));
+        if from_file || self.options.iter().any(varied) {
+            return None;
+        }
         let of_scene = |o: &GivenOption| {
             let value = o.value.as_deref().unwrap_or_default();
             o.name == "set" && value.starts_with("scene.")
@@ -89,17 +110,18 @@ impl BenchCommand {
         ];
         let params = run.params.0.iter();
         own.extend(params.map(|(name, value)| ("set", format!("{name}={value}"))));
-        self.with(&run.scene, words, &own)
+        Some(self.with(VERBS[0], &run.scene, words, &own))
     }
 
-    /// A bench of one scene with these words and options.
+    /// A command for one scene with these words and options.
     fn with(
         &self,
+        verb: &str,
         scene: &str,
         words: impl Iterator<Item = String>,
         options: &[(&str, String)],
     ) -> String {
-        let mut all = vec![self.program.clone(), "bench".into()];
+        let mut all = vec![self.program.clone(), verb.into()];
         all.extend(self.sources(scene));
         all.extend(words);
         for (name, value) in options {
@@ -111,17 +133,19 @@ impl BenchCommand {
 
     /// Where a scene comes from: its name, unless the command line names a file that holds it.
     fn sources(&self, scene: &str) -> Vec<String> {
-        let holds = |source: &&String| {
-            let stem = std::path::Path::new(source.as_str()).file_stem();
-            source.as_str() == scene || stem.and_then(|s| s.to_str()) == Some(scene)
-        };
-        match self.scenes.iter().find(holds) {
+        match self.scenes.iter().find(|source| holds(source, scene)) {
             Some(source) => vec![source.clone()],
             None if self.scenes.is_empty() => vec![scene.into()],
             // A file may give its scene another name: then all are run.
             None => self.scenes.clone(),
         }
     }
+}
+
+/// Whether a source's own name is that of a scene.
+fn holds(source: &str, scene: &str) -> bool {
+    let stem = std::path::Path::new(source).file_stem();
+    source == scene || stem.and_then(|s| s.to_str()) == Some(scene)
 }
 
 impl GivenOption {
@@ -152,7 +176,7 @@ mod tests {
         let command = BenchCommand::parse(COMMAND).unwrap();
         assert_eq!(
             command.section("my room", "glossy_radiance"),
-            "interreflect bench 'my room.toml' --backend both --set rays=4 --set scene.light=2 \
+            "interreflect bench 'my room.toml' --backend both --set 'rays=4' --set 'scene.light=2' \
              --samples 64 --seed 7 --estimator texels --points 100 --quantity glossy_radiance \
              --out again"
         );
@@ -170,9 +194,9 @@ mod tests {
             ..Run::new("cave", "texels", Backend::Gpu, "irradiance")
         };
         assert_eq!(
-            BenchCommand::parse(COMMAND).unwrap().run(&run),
-            "interreflect bench cave --set scene.light=2 --samples 64 --seed 7 --points 100 \
-             --estimator texels --quantity irradiance --backend gpu --set rays=8 --out again"
+            BenchCommand::parse(COMMAND).unwrap().run(&run).unwrap(),
+            "interreflect bench cave --set 'scene.light=2' --samples 64 --seed 7 --points 100 \
+             --estimator texels --quantity irradiance --backend gpu --set 'rays=8' --out again"
         );
     }
 

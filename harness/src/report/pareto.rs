@@ -59,10 +59,7 @@ impl Plot {
         let (svg, mut marks) = draw(SIZE, [&times, &errors], titles, |chart| {
             content(chart, &places, &times, floor)
         })?;
-        let fronts: Vec<usize> = fronts(&places).into_iter().flatten().collect();
-        for (i, mark) in marks.iter_mut().enumerate() {
-            mark.named = places.len() <= NAMED || fronts.contains(&i);
-        }
+        name(&mut marks, &places);
         Ok(Some(Self {
             width: SIZE.0,
             height: SIZE.1,
@@ -93,6 +90,18 @@ fn place<'a>(of: &'a Numbered<'a>, has_truth: bool) -> Option<Place<'a>> {
         error,
         comparison,
     })
+}
+
+/// Has numbers written where there is room: those of the fronts first.
+fn name(marks: &mut [Mark], places: &[Place<'_>]) {
+    let mut order: Vec<usize> = fronts(places).into_iter().flatten().collect();
+    if places.len() <= NAMED {
+        order.extend(0..places.len());
+    }
+    for i in order {
+        let free = |other: &Mark| !other.named || !other.hides(&marks[i]);
+        marks[i].named |= marks.iter().all(free);
+    }
 }
 
 /// The largest noise floor: below it no run's error can be told.

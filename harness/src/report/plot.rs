@@ -238,6 +238,11 @@ impl Mark {
             named: false,
         }
     }
+
+    /// Whether the number of this mark would cover another's.
+    pub(super) fn hides(&self, other: &Self) -> bool {
+        (self.x - other.x).abs() < 22 && (self.y - other.y).abs() < 13
+    }
 }
 
 /// A run with what plots and tables call it.
@@ -277,7 +282,7 @@ mod tests {
                 .collect()
         };
         let wide = Axis::log([0.02, 300.0].into_iter());
-        assert_eq!(labels(&wide), ["0.1", "1", "10", "100"]);
+        assert_eq!(labels(&wide), ["0.01", "0.1", "1", "10", "100"]);
         let narrow = Axis::log([1.5, 4.0].into_iter());
         assert_eq!(labels(&narrow), ["2", "5"]);
         assert!(Axis::log([1e-30, 1e30].into_iter()).ticks.len() <= 9);

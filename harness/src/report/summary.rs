@@ -169,7 +169,7 @@ fn line(of: &Numbered<'_>, bench: Option<&BenchCommand>) -> Line {
     Line {
         number: of.number,
         hue: of.hue,
-        command: bench.map(|b| b.run(run)).unwrap_or_default(),
+        command: bench.and_then(|b| b.run(run)).unwrap_or_default(),
         estimator: run.estimator.clone(),
         fidelity: run.fidelity.clone(),
         params: params.join(", "),

@@ -43,14 +43,7 @@ fn run(
         ("capture_resolution", Value::U32(256)),
     ];
     Run {
-        scene: scene.into(),
-        scene_hash: None,
-        settings: ParamMap::default(),
-        machine: None,
-        estimator: estimator.into(),
-        backend,
         fidelity: fidelity.map(Into::into),
-        quantity: "irradiance".into(),
         params: params
             .into_iter()
             .chain(fidelity_value)
@@ -82,7 +75,7 @@ fn run(
             "path tracer, 1024 samples, seed 1",
         )),
         truth_missing: None,
-        skipped: None,
+        ..Run::new(scene, estimator, backend, "irradiance")
     }
 }
 
@@ -97,10 +90,11 @@ fn image(brightness: f32) -> HdrImage {
     image
 }
 
-fn labelled(label: &str, note: &str, brightness: f32) -> LabelledImage {
+fn labelled(label: &str, note: &str, run: Option<usize>, brightness: f32) -> LabelledImage {
     LabelledImage {
         label: label.into(),
         note: note.into(),
+        run,
         image: image(brightness),
     }
 }
@@ -142,17 +136,28 @@ fn report() -> Report {
         title: "interreflect bench".into(),
         command: "interreflect bench --set a<b>".into(),
         machine: Machine::detect(2, "avx2", Some(&adapter)),
+        seed: Some(7),
         runs,
         rows: vec![ImageRow {
             scene: "colored-room".into(),
             quantity: "irradiance".into(),
-            reference: labelled("path tracer", "1024 samples", 0.0),
+            reference: labelled("truth", "1024 samples", None, 0.0),
             estimates: vec![
-                labelled("classic_envmap", "cpu", -0.4),
-                labelled("localized_cubemap, published", "cpu", 0.2),
-                labelled("localized_cubemap, corrected", "gpu, software", 0.02),
+                labelled("classic_envmap", "cpu", Some(1), -0.4),
+                labelled("localized_cubemap, published", "cpu", Some(2), 0.2),
+                labelled("localized_cubemap, corrected", "gpu", Some(8), 0.02),
             ],
             surfaces: Some((0..96 * 72).map(|i| i % 96 > 8).collect()),
+        }],
+        conclusions: vec![Tables {
+            scene: "studio".into(),
+            quantity: "irradiance".into(),
+            tables: vec![Table {
+                caption: "Equal time".into(),
+                head: vec!["budget".into(), "best".into()],
+                rows: vec![vec!["1 ms".into(), "constant_ambient <1>".into()]],
+                note: "of the CPU's runs".into(),
+            }],
         }],
     }
 }
@@ -174,18 +179,74 @@ fn a_report_is_one_file_that_says_what_must_be_said() {
         "avx2",
         "GPU timestamps",
         "linear-gradient",
+        "Equal time",
+        "constant_ambient &lt;1&gt;",
+        "<dt>Seed</dt><dd>7</dd>",
+        "href=\"#run-9\"",
+        "<tr id=\"run-9\">",
+        "id=\"pixels-0-3\"",
+        "var(--hue-2)",
+        "<math",
     ] {
         assert!(html.contains(words), "no {words}");
     }
     assert!(html.contains("--set a&lt;b&gt;"), "text is escaped");
-    // A reference, and an estimate with its error for each of the three.
-    assert_eq!(html.matches("<img src=\"data:image/png;base64,").count(), 7);
-    for outside in ["http://", "https://", "<script", "<link", "url("] {
+    // The truth and an image of each of the three methods.
+    assert_eq!(html.matches("<img src=\"data:image/png;base64,").count(), 4);
+    for outside in [
+        "http://",
+        "https://",
+        "src=\"/",
+        "<link rel=\"stylesheet",
+        "url(",
+        "import ",
+    ] {
         assert!(
             !html.contains(outside),
             "the file refers to something outside: {outside}"
         );
     }
+}
+
+/// A name must not end the script element that holds it.
+#[test]
+fn names_can_t_break_out_of_the_page() {
+    let mut report = report();
+    report.rows[0].reference.label = "</script><b>".into();
+    report.rows[0].scene = "<i>".into();
+    let html = report.html().unwrap();
+    assert!(!html.contains("</script><b>") && !html.contains("<i>,"));
+}
+
+#[test]
+fn runs_that_differ_in_one_number_make_a_curve() {
+    let html = |resolutions: [u32; 3]| {
+        let mut report = report();
+        let mut swept = report.runs[2].clone();
+        report.runs.clear();
+        for resolution in resolutions {
+            swept.params = [
+                ("resolution", Value::U32(resolution)),
+                ("rays", Value::U32(9)),
+            ]
+            .into_iter()
+            .collect();
+            report.runs.push(swept.clone());
+        }
+        report.rows.clear();
+        report.html().unwrap()
+    };
+    let swept = html([4, 8, 16]);
+    assert!(
+        swept.contains("<strong>resolution</strong>") && !swept.contains("<strong>rays</strong>")
+    );
+    assert_eq!(
+        swept.matches("over resolution").count(),
+        3,
+        "two errors and the time"
+    );
+    assert!(swept.contains("localized_cubemap, published, cpu, resolution=16"));
+    assert!(!html([4, 4, 4]).contains("class=\"curves\""));
 }
 
 #[test]

@@ -8,6 +8,14 @@ function made(name, properties = {}, children = []) {
   return node;
 }
 
+// Scrolls what holds a chip, and nothing else, until the chip is in sight.
+function bringIntoSight(chip) {
+  const box = chip.parentElement;
+  const [inner, outer] = [chip.getBoundingClientRect(), box.getBoundingClientRect()];
+  box.scrollLeft += Math.min(0, inner.left - outer.left) + Math.max(0, inner.right - outer.right);
+  box.scrollTop += Math.min(0, inner.top - outer.top) + Math.max(0, inner.bottom - outer.bottom);
+}
+
 class Viewer {
   row = null;
   shown = null;
@@ -169,7 +177,10 @@ class Viewer {
     const { row, shown } = this;
     const errors = this.show !== "image";
     const check = (group, value) => {
-      for (const radio of document.getElementsByName(group)) radio.checked = radio.value === String(value);
+      for (const radio of document.getElementsByName(group)) {
+        radio.checked = radio.value === String(value);
+        if (radio.checked) bringIntoSight(radio.parentElement);
+      }
     };
     check("v-layout", this.layout);
     check("v-show", this.show);
