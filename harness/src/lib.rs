@@ -7,6 +7,7 @@
 pub mod cli;
 pub mod clock;
 mod commands;
+pub mod conclude;
 pub mod error;
 mod footprint;
 mod format;
