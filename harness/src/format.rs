@@ -27,11 +27,16 @@ fn digits(value: f64, significant: usize) -> String {
 
 /// relMSE, as an upper bound where the reference can't resolve it.
 pub(crate) fn relmse(comparison: &Comparison) -> String {
-    match (comparison.relmse, comparison.verdict) {
-        (None, _) => "–".into(),
-        (Some(v), Verdict::Conclusive) => number(v),
-        (Some(v), Verdict::Inconclusive) => format!("≲ {}", number(v)),
-    }
+    let conclusive = comparison.verdict == Verdict::Conclusive;
+    comparison
+        .relmse
+        .map_or_else(|| "–".into(), |v| error(v, conclusive))
+}
+
+/// An error, as an upper bound where the reference can't resolve it.
+pub(crate) fn error(value: f64, conclusive: bool) -> String {
+    let bound = if conclusive { "" } else { "≲ " };
+    format!("{bound}{}", number(value))
 }
 
 /// A number that may not exist.

@@ -8,6 +8,7 @@ pub mod campaign;
 pub mod cli;
 pub mod clock;
 mod commands;
+pub mod conclude;
 pub mod error;
 mod footprint;
 mod format;

@@ -2,7 +2,7 @@
 
 use crate::{
     format,
-    record::{Comparison, Run},
+    record::{Backend, Comparison, Run},
 };
 use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, LineStyle, Table, presets};
 
@@ -43,8 +43,10 @@ pub fn runs(runs: &[Run], width: Option<u16>) -> String {
     text + &notes(runs)
 }
 
-/// Only the estimator's column gives way on a narrow terminal: a broken number can't be read.
-fn table(runs: &[&Run], width: Option<u16>) -> Table {
+/// A table without lines but the one under its header.
+///
+/// `width` is in characters; `None` takes the terminal's, or 120 where there is none.
+pub(crate) fn plain(width: Option<u16>) -> Table {
     let mut table = Table::new();
     let rule = LineStyle::none().fill('─').junction('─');
     table.load_style(presets::NOTHING.header_separator(rule));
@@ -54,20 +56,31 @@ fn table(runs: &[&Run], width: Option<u16>) -> Table {
     } else if !table.is_tty() {
         table.set_width(WIDTH_IN_A_PIPE);
     }
-    let solved = runs.iter().any(|r| r.phases_ms.solve.is_some());
-    table.set_header(HEADER.iter().filter(|h| solved || **h != SOLVE));
-    for run in runs {
-        table.add_row(row(run, solved));
-    }
+    table
+}
+
+/// Columns of numbers to the right, from this one on. Only the first column gives way on a narrow
+/// terminal: a broken number can't be read.
+pub(crate) fn align(table: &mut Table, first_number: usize) {
     for (i, column) in table.column_iter_mut().enumerate() {
         column.set_padding((0, 1));
         if i >= 1 {
             column.set_constraint(ColumnConstraint::ContentWidth);
         }
-        if i >= 2 {
+        if i >= first_number {
             column.set_cell_alignment(CellAlignment::Right);
         }
     }
+}
+
+fn table(runs: &[&Run], width: Option<u16>) -> Table {
+    let mut table = plain(width);
+    let solved = runs.iter().any(|r| r.phases_ms.solve.is_some());
+    table.set_header(HEADER.iter().filter(|h| solved || **h != SOLVE));
+    for run in runs {
+        table.add_row(row(run, solved));
+    }
+    align(&mut table, 2);
     table
 }
 
@@ -89,14 +102,9 @@ const HEADER: [&str; 11] = [
 ];
 
 fn row(run: &Run, solved: bool) -> Vec<String> {
-    let backend = if run.software {
-        "gpu sw".into()
-    } else {
-        run.backend.to_string()
-    };
     let relmse = |c: &Option<Comparison>| c.as_ref().map_or_else(|| "–".into(), format::relmse);
     let judged = run.truth.as_ref().or(run.own_model.as_ref());
-    let mut cells = vec![run.label(), backend];
+    let mut cells = vec![run.label(), device(run.backend, run.software)];
     cells.extend(
         run.phases_ms
             .named()
@@ -109,10 +117,26 @@ fn row(run: &Run, solved: bool) -> Vec<String> {
     cells
 }
 
+/// A backend in a table, with a mark if it was a software adapter that [`SOFTWARE`] explains.
+pub(crate) fn device(backend: Backend, software: bool) -> String {
+    match software {
+        true => format!("{backend} sw"),
+        false => backend.to_string(),
+    }
+}
+
+/// What is said under a table with a software adapter's times.
+pub(crate) const SOFTWARE: &str =
+    "sw: software adapter, runs on the CPU; its times say nothing about a GPU\n";
+
+/// What is said under a table with upper bounds.
+pub(crate) const UPPER_BOUND: &str =
+    "≲: the reference's own noise hides the difference: an upper bound\n";
+
 fn notes(runs: &[Run]) -> String {
     let mut notes = String::new();
     if runs.iter().any(|r| r.software) {
-        notes += "sw: software adapter, runs on the CPU; its times say nothing about a GPU\n";
+        notes += SOFTWARE;
     }
     let inconclusive = |c: &Comparison| c.verdict == crate::record::Verdict::Inconclusive;
     if runs
@@ -120,7 +144,7 @@ fn notes(runs: &[Run]) -> String {
         .flat_map(|r| r.own_model.iter().chain(&r.truth))
         .any(inconclusive)
     {
-        notes += "≲: the reference's own noise hides the difference: an upper bound\n";
+        notes += UPPER_BOUND;
     }
     if notes.is_empty() {
         notes

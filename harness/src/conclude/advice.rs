@@ -1,7 +1,7 @@
 //! Which method, with which parameters, within a time or up to an error.
 
-use super::candidate::{Candidate, Choice, grouped};
 use super::Metric;
+use super::candidate::{Candidate, Choice, grouped};
 use crate::record::{Backend, Run};
 use serde::Serialize;
 
@@ -68,12 +68,12 @@ pub enum Answer {
         /// Other runs within the limits that can't be told apart from it by what is sought, best first.
         alike: Vec<Choice>,
     },
-    /// Nothing does. At least one of the two is there.
+    /// Nothing does. The nearest miss on each side, which can be the same run.
     Nothing {
-        /// The most accurate of the runs within the time.
-        in_time: Option<Box<Choice>>,
-        /// The fastest of the runs up to the error.
-        accurate_enough: Option<Box<Choice>>,
+        /// The most accurate of the runs within the time; the fastest of all, if there is none.
+        by_time: Box<Choice>,
+        /// The fastest of the runs up to the error; the most accurate of all, if there is none.
+        by_error: Box<Choice>,
     },
 }
 
@@ -85,50 +85,52 @@ pub enum Answer {
 pub fn advise(runs: &[Run], budget: Budget) -> Vec<Advice> {
     let candidates = Candidate::all(runs, budget.metric);
     let key = |r| place(r);
-    grouped(&candidates, key)
-        .into_iter()
-        .map(|((scene, quantity, backend, software), group)| Advice {
+    let advice = |((scene, quantity, backend, software), group): (_, Vec<_>)| {
+        Some(Advice {
             budget,
-            scene: scene.into(),
-            quantity: quantity.into(),
+            scene: str::to_owned(scene),
+            quantity: str::to_owned(quantity),
             backend,
             software,
-            answer: answer(&group, &budget),
+            answer: answer(&group, &budget)?,
         })
-        .collect()
+    };
+    let groups = grouped(&candidates, key);
+    groups.into_iter().filter_map(advice).collect()
 }
 
 fn place(run: &Run) -> (&str, &str, Backend, bool) {
     (&run.scene, &run.quantity, run.backend, run.software)
 }
 
-fn answer(group: &[Candidate<'_>], budget: &Budget) -> Answer {
+/// `None` without candidates.
+fn answer(group: &[Candidate<'_>], budget: &Budget) -> Option<Answer> {
     let name = |c: &Candidate<'_>| Choice::of(c, group);
     let time = |c: &Candidate<'_>| (c.time.ms, c.error.value);
     let error = |c: &Candidate<'_>| (c.error.value, c.time.ms);
     let in_time = sorted(group, |c| budget.in_time(c), error);
     let accurate_enough = sorted(group, |c| budget.accurate_enough(c), time);
-    let both = if budget.seeks_time() {
-        accurate_enough.clone()
-    } else {
-        sorted(&in_time, |c| budget.accurate_enough(c), error)
+    let both = match budget.seeks_time() {
+        true => accurate_enough.clone(),
+        false => sorted(&in_time, |c| budget.accurate_enough(c), error),
     };
     let Some((best, others)) = both.split_first() else {
-        let nearest = |of: &[Candidate<'_>]| of.first().map(|c| Box::new(name(c)));
-        return Answer::Nothing {
-            in_time: nearest(&in_time),
-            accurate_enough: nearest(&accurate_enough),
-        };
+        let fastest = sorted(group, |_| true, time);
+        let most_accurate = sorted(group, |_| true, error);
+        return Some(Answer::Nothing {
+            by_time: Box::new(name(in_time.first().or(fastest.first())?)),
+            by_error: Box::new(name(accurate_enough.first().or(most_accurate.first())?)),
+        });
     };
     let alike = others.iter().filter(|c| match budget.seeks_time() {
         true => c.time.alike(best.time),
         false => c.error.alike(best.error),
     });
-    Answer::Use {
+    Some(Answer::Use {
         choice: Box::new(name(best)),
         sure: budget.surely_holds(best),
         alike: alike.map(name).collect(),
-    }
+    })
 }
 
 /// Those that are kept, by rising keys.

@@ -3,8 +3,8 @@
 use super::candidate::{Candidate, FrameTime, grouped};
 use super::{Measured, Metric};
 use crate::record::{ParamValue, Run};
-use interreflect_estimators::{Method as _, path_reference::PathReference};
 use interreflect_estimators::path_reference::PathReferenceParams;
+use interreflect_estimators::{Method as _, path_reference::PathReference};
 use interreflect_scene::params::values;
 use serde::Serialize;
 use std::fmt;

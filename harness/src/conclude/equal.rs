@@ -186,7 +186,10 @@ fn row(question: Question, limit: f64, methods: &Methods<'_>, curves: &[Curve]) 
     let cells: Vec<Cell> = methods.chain(baselines).collect();
     let numbers: Vec<_> = cells.iter().map(Cell::numbers).collect();
     let sought = |n: &(FrameTime, Measured)| question.ordered(n.0.ms, n.1.value).1;
-    let standing = numbers.iter().enumerate().filter_map(|(i, n)| Some((i, (*n)?)));
+    let standing = numbers
+        .iter()
+        .enumerate()
+        .filter_map(|(i, n)| Some((i, (*n)?)));
     let winner = standing
         .clone()
         .min_by(|(_, a), (_, b)| sought(a).total_cmp(&sought(b)));

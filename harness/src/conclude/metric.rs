@@ -64,7 +64,11 @@ fn flip(comparison: &Comparison) -> Option<Measured> {
     };
     Some(Measured {
         value,
-        noise: if of_relmse.noise > 0.0 { part * value } else { 0.0 },
+        noise: if of_relmse.noise > 0.0 {
+            part * value
+        } else {
+            0.0
+        },
         conclusive: of_relmse.conclusive,
     })
 }

@@ -27,6 +27,7 @@ pub use equal::{Cell, Contestant, Question, Row, Table, equal_error, equal_time}
 pub use floor::{Floor, floors};
 pub use metric::{Measured, Metric};
 pub use pareto::{Front, Standing, fronts, pareto};
+pub use words::advice_in_words;
 
 use crate::record::Run;
 use serde::Serialize;

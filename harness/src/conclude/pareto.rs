@@ -1,7 +1,7 @@
 //! The Pareto front: the runs that no other beats in both time and error.
 
-use super::candidate::{Candidate, Choice, grouped};
 use super::Metric;
+use super::candidate::{Candidate, Choice, grouped};
 use crate::record::Run;
 use serde::Serialize;
 

@@ -37,7 +37,10 @@ mod tests {
 
     #[test]
     fn round_numbers_span_what_is_given() {
-        assert_eq!(spanning([0.9, 30.0, 4.0]), [1.0, 2.0, 5.0, 10.0, 20.0, 50.0]);
+        assert_eq!(
+            spanning([0.9, 30.0, 4.0]),
+            [1.0, 2.0, 5.0, 10.0, 20.0, 50.0]
+        );
         assert_eq!(spanning([0.0042]), [0.005]);
         assert_eq!(spanning([5e-7, 6e-7]), [5e-7, 1e-6]);
         assert_eq!(spanning([1.0, 1.0]), [1.0]);
