@@ -82,6 +82,7 @@ pub fn measure<S: Stage>(
     let shade = watch.again(shaded.value, shaded.compiled_ms, shade)?;
     let compile = watch.compiled_ms;
     let (estimate, readback) = read_back(stage, &out, sampling)?;
+    let points_bytes = (points.bytes() + estimate.bytes()) as u64;
     check_finite(method.info().id, &estimate, Some(points))?;
 
     let unread = unread(&needs, [first.read(), again.read()]);
@@ -99,7 +100,7 @@ pub fn measure<S: Stage>(
         bytes: Bytes {
             captures: stage.host_bytes(&captures).unwrap_or(made_bytes),
             own: prepared.bytes + shaded.bytes,
-            points: (points.bytes() + estimate.bytes()) as u64,
+            points: points_bytes,
         },
         unread,
     })

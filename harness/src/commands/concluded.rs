@@ -2,6 +2,7 @@
 
 use super::{print_json, print_line};
 use crate::cli::Asked;
+use crate::conclude::{Advice, Budget, Conclusions, Metric, advice_in_words, advise, fronts};
 use crate::error::HarnessError;
 use crate::gallery::write_pictures;
 use crate::output::write_results;
@@ -15,19 +16,24 @@ use std::path::Path;
 #[derive(Serialize)]
 struct Concluded<'a> {
     records: &'a [Run],
-    /// Indices of the records that no other of their scene, quantity and machine beats in both time and error.
+    /// Indices of the records that no other of their scene, quantity and machine beats in both frame time
+    /// and relMSE.
     pareto: Vec<usize>,
-    /// By `scene/quantity/estimator`.
+    /// What each model leaves out, by `scene/quantity/estimator`.
     bias_floor: BTreeMap<String, &'a Comparison>,
     baselines: &'a [Run],
     splits: &'a [Split],
+    #[serde(flatten)]
+    conclusions: &'a Conclusions,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    advice: Vec<Advice>,
 }
 
 /// Writes results, conclusions and report, and prints what was asked for.
 pub(super) fn conclude(
     results: &Results,
     out: &Path,
-    _asked: Asked,
+    asked: Asked,
     json: bool,
 ) -> Result<(), HarnessError> {
     write_results(out, results)?;
@@ -35,18 +41,53 @@ pub(super) fn conclude(
     write_pictures(out, &report.rows, &results.runs)?;
     let page = out.join("report.html");
     report.write(&page)?;
-    let concluded = Concluded {
-        records: &results.runs,
-        pareto: Vec::new(),
-        bias_floor: floors(results),
-        baselines: &results.baselines,
-        splits: &results.splits,
+    let (runs, baselines) = (by_machine(results, &results.runs), by_machine(results, &results.baselines));
+    let conclusions = Conclusions::of(&runs, &baselines, Metric::Truth);
+    let advice = match asked == Asked::default() {
+        true => Vec::new(),
+        false => advise(&runs, asked.budget()),
     };
     if json {
-        return print_json(&concluded);
+        return print_json(&Concluded {
+            records: &results.runs,
+            pareto: fronts(&runs),
+            bias_floor: floors(results),
+            baselines: &results.baselines,
+            splits: &results.splits,
+            conclusions: &conclusions,
+            advice,
+        });
     }
     print_line(&crate::table::runs(&results.runs, None))?;
+    print_line(&conclusions.words(None))?;
+    if !advice.is_empty() {
+        print_line(&advice_in_words(&advice))?;
+    }
     print_line(&page.display().to_string())
+}
+
+impl Asked {
+    fn budget(self) -> Budget {
+        Budget {
+            ms: self.budget_ms,
+            max_error: self.max_error,
+            metric: Metric::Truth,
+        }
+    }
+}
+
+/// Runs whose scenes are named with the machine, where several took part: times of one say nothing of
+/// another's.
+fn by_machine(results: &Results, runs: &[Run]) -> Vec<Run> {
+    let mut runs = runs.to_vec();
+    if !results.machines.is_empty() {
+        for run in &mut runs {
+            if let Some(machine) = &run.machine {
+                run.scene += &format!(" on {machine}");
+            }
+        }
+    }
+    runs
 }
 
 /// The floors by scene, quantity and estimator; by model too, where an estimator has several.
