@@ -43,7 +43,7 @@ fi
 # browser: whether there is one that the report's page can be tried in.
 browser() {
     [ -n "${CHROME:-}" ] && return 0
-    for name in chromium chromium-browser google-chrome google-chrome-stable; do
+    for name in chromium chromium-browser google-chrome-stable chrome; do
         command -v "$name" >/dev/null 2>&1 && return 0
     done
     return 1
