@@ -1,6 +1,7 @@
 #!/bin/sh
-# Installs what a build and the GPU backend need and the machine lacks: a linker for Rust, a C++ compiler and a
-# Vulkan driver. Says nothing and changes nothing if all is there.
+# Installs what a build and the GPU backend need and the machine lacks: a linker for Rust, a C++ compiler
+# and a Vulkan driver; where INTERREFLECT_REQUIRE_BROWSER and INTERREFLECT_REQUIRE_PARALLEL are set, what
+# the tests of the report's page and of sweeps in parts need. Says nothing and changes nothing if all is there.
 set -eu
 # shellcheck source=scripts/apt.sh
 . "$(dirname "$0")/apt.sh"
@@ -37,4 +38,21 @@ if ! vulkan_driver; then
         mesa-vulkan-drivers libvulkan1
 elif ! vulkan_loader; then
     apt_install "the Vulkan loader is missing" libvulkan1
+fi
+
+# browser: whether there is one that the report's page can be tried in.
+browser() {
+    [ -n "${CHROME:-}" ] && return 0
+    for name in chromium chromium-browser google-chrome-stable chrome; do
+        command -v "$name" >/dev/null 2>&1 && return 0
+    done
+    return 1
+}
+
+if [ -n "${INTERREFLECT_REQUIRE_BROWSER:-}" ] && ! browser; then
+    apt_install "no browser for the test of the report's page" chromium
+fi
+
+if [ -n "${INTERREFLECT_REQUIRE_PARALLEL:-}" ] && ! command -v parallel >/dev/null 2>&1; then
+    apt_install "no GNU parallel for the test of sweeps in parts" parallel
 fi

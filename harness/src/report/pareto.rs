@@ -8,7 +8,7 @@ use serde::Serialize;
 use std::ops::Range;
 
 /// Size in SVG units.
-const SIZE: (u32, u32) = (620, 420);
+const SIZE: (u32, u32) = (560, 420);
 
 /// Most runs whose numbers are all written; of more, only those that no other run betters.
 const NAMED: usize = 24;
@@ -143,7 +143,7 @@ fn content(
     if let Some(floor) = floor {
         let line = [left, right].map(|x| (x, floor));
         chart.draw_series(DashedLineSeries::new(line, 3, 4, Ink::Text.colour().into()))?;
-        let words = ("sans-serif", 12).into_font().color(&Ink::Text.colour());
+        let words = ("sans-serif", 13).into_font().color(&Ink::Text.colour());
         let at = (left, floor);
         let text = EmptyElement::at(at) + Text::new("noise floor", (4, -15), words);
         chart.draw_series([text])?;

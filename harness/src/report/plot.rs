@@ -190,7 +190,7 @@ fn draw_on<T>(
         .x_label_area_size(46)
         .y_label_area_size(68)
         .build_cartesian_2d(x.clone(), y.clone())?;
-    let words = ("sans-serif", 14).into_font().color(&Ink::Text.colour());
+    let words = ("sans-serif", 15).into_font().color(&Ink::Text.colour());
     chart
         .configure_mesh()
         .bold_line_style(Ink::Grid.colour())
@@ -258,6 +258,15 @@ pub(super) struct Numbered<'a> {
     pub(super) variant: String,
     /// Its estimator's hue.
     pub(super) hue: usize,
+}
+
+impl Numbered<'_> {
+    /// The parameters that tell it from others of the method; empty where none does.
+    pub(super) fn varied(&self) -> &str {
+        self.variant
+            .split_once(", ")
+            .map_or("", |(_, params)| params)
+    }
 }
 
 /// Least and greatest time of a frame in milliseconds that the spread of its phases allows; `None` if

@@ -56,6 +56,8 @@ pub(super) struct Line {
     estimator: String,
     fidelity: Option<String>,
     params: String,
+    /// The parameters in which it differs from other runs of its method.
+    varied: String,
     backend: String,
     software: bool,
     time_source: String,
@@ -173,6 +175,7 @@ fn line(of: &Numbered<'_>, bench: Option<&BenchCommand>) -> Line {
         estimator: run.estimator.clone(),
         fidelity: run.fidelity.clone(),
         params: params.join(", "),
+        varied: of.varied().to_owned(),
         backend: run.backend.to_string(),
         software: run.software,
         time_source: run.time_source.to_string(),
