@@ -73,16 +73,17 @@ pub struct Interpolated {
 pub(super) enum Reach {
     /// At a measured count, or between two.
     At(Interpolated),
-    /// It would take fewer samples than this, the fewest that were measured.
-    Below(u32),
-    /// It would take more samples than this, the most that were measured.
-    Beyond(u32),
+    /// All that was measured is within the limit. This end of it comes nearest: what the baseline reaches
+    /// is at least as good.
+    Within(Interpolated),
+    /// Nothing that was measured is within the limit; this end of it comes nearest.
+    Outside(Interpolated),
 }
 
 /// A baseline at rising sample counts; never empty.
 pub(super) struct Curve {
     pub(super) baseline: Baseline,
-    points: Vec<(u32, Interpolated)>,
+    points: Vec<Interpolated>,
 }
 
 impl Curve {
@@ -100,57 +101,69 @@ impl Curve {
     }
 
     fn of(baseline: Baseline, group: &[Candidate<'_>]) -> Option<Self> {
-        let mut points: Vec<(u32, Interpolated)> = group.iter().filter_map(point).collect();
-        points.sort_by_key(|(samples, _)| *samples);
-        points.dedup_by_key(|(samples, _)| *samples);
+        let mut points: Vec<Interpolated> = group.iter().filter_map(point).collect();
+        points.sort_by(|a, b| a.samples.total_cmp(&b.samples));
+        points.dedup_by_key(|p| p.samples);
         (!points.is_empty()).then_some(Self { baseline, points })
     }
 
     /// What is reached in this time.
     pub(super) fn at_time(&self, ms: f64) -> Reach {
-        let fits = |(_, p): &(u32, Interpolated)| p.frame.ms <= ms;
-        match self.points.iter().rposition(fits) {
-            None => Reach::Below(self.points[0].0),
-            Some(last) => self.on_segment(last, |p| p.frame.ms, ms),
+        match self.points.iter().rposition(|p| p.frame.ms <= ms) {
+            None => Reach::Outside(self.points[0]),
+            Some(last) => match self.points.get(last + 1) {
+                Some(next) => on_segment(&self.points[last], next, |p| p.frame.ms, ms),
+                None if self.points[last].frame.ms == ms => Reach::At(self.points[last]),
+                None => Reach::Within(self.points[last]),
+            },
         }
     }
 
     /// What it takes to come to this error.
     pub(super) fn at_error(&self, error: f64) -> Reach {
-        let does = |(_, p): &(u32, Interpolated)| p.error.value <= error;
-        match self.points.iter().position(does) {
-            None => Reach::Beyond(self.points[self.points.len() - 1].0),
-            Some(0) if self.points[0].1.error.value < error => Reach::Below(self.points[0].0),
-            Some(first) => self.on_segment(first.max(1) - 1, |p| p.error.value, error),
+        match self.points.iter().position(|p| p.error.value <= error) {
+            None => Reach::Outside(self.points[self.points.len() - 1]),
+            Some(0) => {
+                let fewest = self.points[0];
+                let exact = fewest.error.value == error || fewest.samples <= 1.0;
+                if exact {
+                    Reach::At(fewest)
+                } else {
+                    Reach::Within(fewest)
+                }
+            }
+            Some(first) => {
+                let (a, b) = (&self.points[first - 1], &self.points[first]);
+                on_segment(a, b, |p| p.error.value, error)
+            }
         }
-    }
-
-    /// Between the points `i` and `i + 1`, where `key` has this value.
-    fn on_segment(&self, i: usize, key: impl Fn(&Interpolated) -> f64, value: f64) -> Reach {
-        let (samples, a) = self.points[i];
-        if key(&a) == value {
-            return Reach::At(a);
-        }
-        let Some((_, b)) = self.points.get(i + 1) else {
-            return Reach::Beyond(samples);
-        };
-        let fraction = (value / key(&a)).ln() / (key(b) / key(&a)).ln();
-        // The logarithm of an error of zero: only the end that has it is known to reach it.
-        let fraction = if key(b) > 0.0 { fraction } else { 1.0 };
-        Reach::At(between(&a, b, fraction))
     }
 }
 
-fn point(candidate: &Candidate<'_>) -> Option<(u32, Interpolated)> {
+/// Between two neighbours, where `key` has this value.
+fn on_segment(
+    a: &Interpolated,
+    b: &Interpolated,
+    key: impl Fn(&Interpolated) -> f64,
+    value: f64,
+) -> Reach {
+    // An error of zero has no logarithm: only the end that has it is known to reach it.
+    let fraction = match key(b) > 0.0 {
+        true => (value / key(a)).ln() / (key(b) / key(a)).ln(),
+        false => 1.0,
+    };
+    Reach::At(between(a, b, fraction))
+}
+
+fn point(candidate: &Candidate<'_>) -> Option<Interpolated> {
     let ParamValue::U32(samples) = *candidate.run.params.get(SAMPLES)? else {
         return None;
     };
-    let point = Interpolated {
+    (samples > 0 && candidate.time.low > 0.0).then_some(Interpolated {
         samples: samples.into(),
         frame: candidate.time,
         error: candidate.error,
-    };
-    (samples > 0 && candidate.time.low > 0.0).then_some((samples, point))
+    })
 }
 
 fn between(a: &Interpolated, b: &Interpolated, fraction: f64) -> Interpolated {
@@ -163,10 +176,10 @@ fn between(a: &Interpolated, b: &Interpolated, fraction: f64) -> Interpolated {
             high: log(a.frame.high, b.frame.high),
         },
         error: Measured {
-            // Without a logarithm the larger end's error holds: that of fewer samples was reached.
             value: match a.error.value > 0.0 && b.error.value > 0.0 {
                 true => log(a.error.value, b.error.value),
-                false if fraction < 1.0 => a.error.value.max(b.error.value),
+                // Without a logarithm, what fewer samples reached.
+                false if fraction < 1.0 => a.error.value,
                 false => b.error.value,
             },
             noise: a.error.noise.max(b.error.noise),

@@ -23,7 +23,7 @@ mod words;
 pub use advice::{Advice, Answer, Budget, advise};
 pub use baseline::{Baseline, Interpolated};
 pub use candidate::{Choice, FrameTime};
-pub use equal::{Cell, Contestant, Question, Row, Table, equal_error, equal_time};
+pub use equal::{Cell, Contestant, Numbers, Question, Row, Table, equal_error, equal_time};
 pub use floor::{Floor, floors};
 pub use metric::{Measured, Metric};
 pub use pareto::{Front, Standing, fronts, pareto};

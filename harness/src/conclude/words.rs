@@ -2,7 +2,7 @@
 
 use super::{
     Advice, Answer, Budget, Cell, Choice, Conclusions, Floor, FrameTime, Front, Measured, Metric,
-    Question, Row, Standing, Table,
+    Numbers, Question, Row, Standing, Table,
 };
 use crate::{format, table};
 use std::fmt::Write as _;
@@ -32,12 +32,20 @@ pub fn advice_in_words(advice: &[Advice]) -> String {
 }
 
 /// Marks with what they mean.
-const NOTES: [(&[&str], &str); 5] = [
+const NOTES: [(&[&str], &str); 7] = [
     (&["* "], "*: the best within this limit\n"),
     (&["≈ "], "≈: can't be told apart from the best\n"),
     (
-        &["n < ", "n > "],
-        "n <, n >: fewer or more samples than were measured; nothing is extrapolated\n",
+        &["? "],
+        "?: might be better, with a sample count that was not measured\n",
+    ),
+    (
+        &[" < "],
+        "<: this or better; it is the end of the sample counts that were measured\n",
+    ),
+    (
+        &["n<", "n>"],
+        "n<, n>: would take fewer or more samples than were measured; nothing is extrapolated\n",
     ),
     (&[" sw"], table::SOFTWARE),
     (&["≲ "], table::UPPER_BOUND),
@@ -128,6 +136,7 @@ impl Table {
                 let mark = match row.winner {
                     Some(winner) if winner == i => "* ",
                     _ if row.alike.contains(&i) => "≈ ",
+                    _ if row.open.contains(&i) => "? ",
                     _ => "",
                 };
                 format!("{mark}{}", self.cell(&row.cells[i]))
@@ -139,14 +148,18 @@ impl Table {
     }
 
     fn cell(&self, cell: &Cell) -> String {
+        let sought = |(frame, found): Numbers| match self.question {
+            Question::EqualTime => error(found),
+            Question::EqualError => format::number(frame.ms),
+        };
         match (cell, cell.numbers()) {
-            (_, Some((frame, found))) => match self.question {
-                Question::EqualTime => error(found),
-                Question::EqualError => format::number(frame.ms),
+            (Cell::Bound(_), Some(numbers)) => format!("< {}", sought(numbers)),
+            (_, Some(numbers)) => sought(numbers),
+            (Cell::Outside(end), _) => match self.question {
+                Question::EqualTime => format!("n<{}", end.samples),
+                Question::EqualError => format!("n>{}", end.samples),
             },
-            (Cell::Below { samples }, _) => format!("n < {samples}"),
-            (Cell::Beyond { samples }, _) => format!("n > {samples}"),
-            _ => "–".into(),
+            (_, None) => "–".into(),
         }
     }
 
@@ -155,11 +168,11 @@ impl Table {
         let winner = row.winner?;
         let mut words = match &row.cells[winner] {
             Cell::Run(choice) => choice.label(),
-            Cell::Interpolated(at) => {
+            Cell::Interpolated(at) | Cell::Bound(at) => {
                 let samples = format::number(at.samples);
                 format!("{}, n = {samples}", self.contestants[winner].name)
             }
-            Cell::Below { .. } | Cell::Beyond { .. } | Cell::Missed => return None,
+            Cell::Outside(_) | Cell::Missed => return None,
         };
         let alike = row.alike.iter().map(|&i| self.contestants[i].name.as_str());
         let alike: Vec<&str> = alike.collect();

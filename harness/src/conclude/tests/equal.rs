@@ -104,8 +104,8 @@ fn baselines_meet_the_law_between_their_measured_counts() {
     assert_eq!(names(table)[2], "path tracing");
     for row in &table.rows {
         match (&row.cells[2], row.limit) {
-            (Cell::Below { samples: 1 }, ms) => assert!(ms < 2.0),
-            (Cell::Beyond { samples: 64 }, ms) => assert!(ms > 128.0),
+            (Cell::Outside(end), ms) => assert!(end.samples == 1.0 && ms < 2.0),
+            (Cell::Bound(end), ms) => assert!(end.samples == 64.0 && ms > 128.0),
             (Cell::Interpolated(at), ms) => {
                 close(at.samples, ms / 2.0);
                 close(at.error.value, 0.8 * 2.0 / ms);
@@ -114,15 +114,15 @@ fn baselines_meet_the_law_between_their_measured_counts() {
             (other, ms) => panic!("{other:?} at {ms} ms"),
         }
     }
-    let kinds = |cell: fn(&Cell) -> bool| table.rows.iter().filter(|r| cell(&r.cells[2])).count();
+    let count = |kind: fn(&Cell) -> bool| table.rows.iter().filter(|r| kind(&r.cells[2])).count();
     // 1; 2 to 100; 200.
-    assert_eq!(kinds(|c| matches!(c, Cell::Below { .. })), 1);
-    assert_eq!(kinds(|c| matches!(c, Cell::Interpolated(_))), 6);
-    assert_eq!(kinds(|c| matches!(c, Cell::Beyond { .. })), 1);
+    assert_eq!(count(|c| matches!(c, Cell::Outside(_))), 1);
+    assert_eq!(count(|c| matches!(c, Cell::Interpolated(_))), 6);
+    assert_eq!(count(|c| matches!(c, Cell::Bound(_))), 1);
     let table = &equal_error(&runs, &baselines, Metric::Truth)[0];
     for row in &table.rows {
         match (&row.cells[2], row.limit) {
-            (Cell::Beyond { samples: 64 }, error) => assert!(error < 0.8 / 64.0),
+            (Cell::Outside(end), error) => assert!(end.samples == 64.0 && error < 0.8 / 64.0),
             (Cell::Interpolated(at), error) => {
                 close(at.frame.ms, 2.0 * 0.8 / error);
                 close(at.error.value, error);
@@ -132,13 +132,44 @@ fn baselines_meet_the_law_between_their_measured_counts() {
     }
 }
 
+/// Beyond what was measured a baseline counts with what it surely reaches, and might do better.
 #[test]
-fn an_error_that_the_fewest_samples_undercut_is_not_extrapolated() {
+fn the_ends_of_a_baseline_are_bounds() {
     let baselines = [traced(4, 1, 1.0, 0.8), traced(8, 1, 1.0, 0.8)];
-    let table = &equal_error(&[run("a", 1.0, 0.9)], &baselines, Metric::Truth)[0];
-    assert_eq!(names(table), ["a", "n-ray gathering"]);
-    assert_eq!(table.rows[0].cells[1], Cell::Below { samples: 4 });
-    assert_eq!(table.rows[0].winner, Some(0));
+    let last = |tables: Vec<Table>| tables[0].rows.last().cloned().unwrap();
+    let outcome = |row: Row| (row.winner, row.open);
+    let at_time = |ms, error| {
+        last(equal_time(
+            &[run("a", ms, error)],
+            &baselines,
+            Metric::Truth,
+        ))
+    };
+    // In 20 ms there is room for eight samples and more: .1, or less.
+    assert_eq!(outcome(at_time(20.0, 0.5)), (Some(1), vec![]));
+    assert_eq!(outcome(at_time(20.0, 0.05)), (Some(0), vec![1]));
+    // In 2 ms, with less than four samples, the error is above .2.
+    assert_eq!(outcome(at_time(2.0, 0.5)), (Some(0), vec![1]));
+    assert_eq!(outcome(at_time(2.0, 0.1)), (Some(0), vec![]));
+    let at_error = |ms, error| {
+        last(equal_error(
+            &[run("a", ms, error)],
+            &baselines,
+            Metric::Truth,
+        ))
+    };
+    // Up to .5, four samples do, in 4 ms or less.
+    assert_eq!(outcome(at_error(9.0, 0.5)), (Some(1), vec![]));
+    assert_eq!(outcome(at_error(3.0, 0.5)), (Some(0), vec![1]));
+    // Up to .05 more than eight samples are needed, and so more than 8 ms.
+    assert_eq!(outcome(at_error(9.0, 0.05)), (Some(0), vec![1]));
+    assert_eq!(outcome(at_error(7.0, 0.05)), (Some(0), vec![]));
+    // One sample is the least there is: nothing is open.
+    let one = [traced(1, 0, 4.0, 0.8)];
+    let row = last(equal_time(&[run("a", 2.0, 0.9)], &one, Metric::Truth));
+    assert_eq!(outcome(row), (Some(0), vec![]));
+    let row = last(equal_error(&[run("a", 2.0, 0.9)], &one, Metric::Truth));
+    assert_eq!(outcome(row), (Some(0), vec![]));
 }
 
 #[test]
