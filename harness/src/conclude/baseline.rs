@@ -107,35 +107,53 @@ impl Curve {
         (!points.is_empty()).then_some(Self { baseline, points })
     }
 
-    /// What is reached in this time.
+    /// The least error that is reached in this time.
+    ///
+    /// Neither times nor errors go by the number of samples without fail, so that what was measured within
+    /// the limit counts wherever it does better than the line.
     pub(super) fn at_time(&self, ms: f64) -> Reach {
-        match self.points.iter().rposition(|p| p.frame.ms <= ms) {
-            None => Reach::Outside(self.points[0]),
-            Some(last) => match self.points.get(last + 1) {
-                Some(next) => on_segment(&self.points[last], next, |p| p.frame.ms, ms),
-                None if self.points[last].frame.ms == ms => Reach::At(self.points[last]),
-                None => Reach::Within(self.points[last]),
-            },
-        }
+        let Some(last) = self.points.iter().rposition(|p| p.frame.ms <= ms) else {
+            return Reach::Outside(self.points[0]);
+        };
+        let on_line = match self.points.get(last + 1) {
+            Some(next) => on_segment(&self.points[last], next, |p| p.frame.ms, ms),
+            None if self.points[last].frame.ms == ms => Reach::At(self.points[last]),
+            None => Reach::Within(self.points[last]),
+        };
+        let measured = self.points.iter().filter(|p| p.frame.ms <= ms);
+        on_line.or_better(measured, |p| p.error.value)
     }
 
-    /// What it takes to come to this error.
+    /// The least time that it takes to come to this error; see [`Self::at_time`].
     pub(super) fn at_error(&self, error: f64) -> Reach {
-        match self.points.iter().position(|p| p.error.value <= error) {
-            None => Reach::Outside(self.points[self.points.len() - 1]),
-            Some(0) => {
-                let fewest = self.points[0];
-                let exact = fewest.error.value == error || fewest.samples <= 1.0;
-                if exact {
-                    Reach::At(fewest)
-                } else {
-                    Reach::Within(fewest)
-                }
-            }
-            Some(first) => {
-                let (a, b) = (&self.points[first - 1], &self.points[first]);
-                on_segment(a, b, |p| p.error.value, error)
-            }
+        let Some(first) = self.points.iter().position(|p| p.error.value <= error) else {
+            return Reach::Outside(self.points[self.points.len() - 1]);
+        };
+        let here = &self.points[first];
+        let on_line = match first.checked_sub(1) {
+            Some(before) => on_segment(&self.points[before], here, |p| p.error.value, error),
+            None if here.error.value == error || here.samples <= 1.0 => Reach::At(*here),
+            None => Reach::Within(*here),
+        };
+        let measured = self.points.iter().filter(|p| p.error.value <= error);
+        on_line.or_better(measured, |p| p.frame.ms)
+    }
+}
+
+impl Reach {
+    /// The same kind of answer with the best of these, where one does better by `key`.
+    fn or_better<'a>(
+        self,
+        measured: impl Iterator<Item = &'a Interpolated>,
+        key: impl Fn(&Interpolated) -> f64,
+    ) -> Self {
+        let best = |found: Interpolated| {
+            measured.fold(found, |best, p| if key(p) < key(&best) { *p } else { best })
+        };
+        match self {
+            Self::At(found) => Self::At(best(found)),
+            Self::Within(found) => Self::Within(best(found)),
+            Self::Outside(end) => Self::Outside(end),
         }
     }
 }

@@ -201,7 +201,25 @@ fn odd_baselines_give_numbers_that_were_measured() {
     // .1, .2: only the exact one is known to do. .5: between one sample and two.
     let found = at(equal_error(&runs, &baselines, Metric::Truth));
     assert_eq!(found[..2], [(4.0, 0.0), (4.0, 0.0)]);
-    assert!(found[2].0 < 1.0 && found[2].0 > 0.9);
+    // Two samples took less time than any number that would do by the line.
+    assert_eq!(found[2], (0.9, 0.4));
+}
+
+/// The error came to its floor and went on by chance: the fewer samples are the better answer.
+#[test]
+fn what_was_measured_counts_where_it_beats_the_line() {
+    let mut floor = [1, 4, 16].map(|n| traced(n, 1, 1.0, 0.8));
+    floor[2].truth.as_mut().unwrap().relmse = Some(0.3);
+    let runs = [run("a", 10.0, 0.5), run("b", 20.0, 0.5)];
+    let table = &equal_time(&runs, &floor, Metric::Truth)[0];
+    let found: Vec<_> = table
+        .rows
+        .iter()
+        .map(|r| r.cells[2].numbers().unwrap())
+        .collect();
+    let numbers: Vec<_> = found.iter().map(|(f, e)| (f.ms, e.value)).collect();
+    assert_eq!(numbers, [(4.0, 0.2), (4.0, 0.2)]);
+    assert!(matches!(table.rows[1].cells[2], Cell::Bound(_)));
 }
 
 #[test]
