@@ -1,7 +1,7 @@
 //! What any scene can have at any time: path tracing, and rays gathered at each point.
 
 use super::candidate::{Candidate, FrameTime, grouped};
-use super::{Measured, Metric};
+use super::{Measured, Metric, Place};
 use crate::record::{ParamValue, Run};
 use interreflect_estimators::path_reference::PathReferenceParams;
 use interreflect_estimators::{Method as _, path_reference::PathReference};
@@ -87,11 +87,11 @@ pub(super) struct Curve {
 }
 
 impl Curve {
-    /// The baselines' curves for one scene and quantity, in the order of tables. Of several runs with the
+    /// The baselines' curves in one place, in the order of tables. Of several runs with the
     /// same count the first holds.
-    pub(super) fn all(runs: &[Run], scene: &str, quantity: &str, metric: Metric) -> Vec<Self> {
+    pub(super) fn all(runs: &[Run], place: &Place, metric: Metric) -> Vec<Self> {
         let mut here = Candidate::all(runs, metric);
-        here.retain(|c| (c.run.scene.as_str(), c.run.quantity.as_str()) == (scene, quantity));
+        here.retain(|c| Place::of(c.run) == *place);
         let mut curves: Vec<Self> = grouped(&here, Baseline::of)
             .into_iter()
             .filter_map(|(baseline, group)| Self::of(baseline?, &group))

@@ -2,7 +2,7 @@
 
 use super::baseline::{Baseline, Curve, Interpolated, Reach};
 use super::candidate::{Candidate, Choice, FrameTime, grouped};
-use super::{Measured, Metric, series};
+use super::{Measured, Metric, Place, series};
 use crate::record::{Backend, Run};
 use serde::Serialize;
 
@@ -19,17 +19,16 @@ pub enum Question {
     EqualError,
 }
 
-/// The answers for one scene, quantity and backend.
+/// The answers for one place and backend.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Table {
     /// What is asked.
     pub question: Question,
     /// By which error.
     pub metric: Metric,
-    /// Name of the scene.
-    pub scene: String,
-    /// Name of the estimated quantity, in snake case.
-    pub quantity: String,
+    /// What is estimated.
+    #[serde(flatten)]
+    pub place: Place,
     /// Where the methods ran. Baselines run on the CPU always.
     pub backend: Backend,
     /// It was a software adapter: its times say nothing about a GPU.
@@ -158,16 +157,15 @@ pub fn equal_error(runs: &[Run], baselines: &[Run], metric: Metric) -> Vec<Table
 fn tables(question: Question, runs: &[Run], baselines: &[Run], metric: Metric) -> Vec<Table> {
     let candidates = Candidate::all(runs, metric);
     let mut tables = Vec::new();
-    for ((scene, quantity), of_both) in grouped(&candidates, |r| (&r.scene, &r.quantity)) {
+    for (place, of_both) in grouped(&candidates, Place::of) {
         let limits = series::spanning(of_both.iter().map(|c| question.of_run(c).0));
-        let curves = Curve::all(baselines, scene, quantity, metric);
+        let curves = Curve::all(baselines, &place, metric);
         for ((backend, software), group) in grouped(&of_both, |r| (r.backend, r.software)) {
             let methods = grouped(&group, Run::label);
             tables.push(Table {
                 question,
                 metric,
-                scene: scene.clone(),
-                quantity: quantity.clone(),
+                place: place.clone(),
                 backend,
                 software,
                 contestants: contestants(&methods, &curves),

@@ -87,10 +87,7 @@ impl Front {
             add(contender, "behind it, inside the noise");
         }
         table::align(&mut rows, 3);
-        format!(
-            "\n{}: front of {metric} and time\n{rows}\n",
-            title(&self.scene, &self.quantity)
-        )
+        format!("\n{}: front of {metric} and time\n{rows}\n", self.place)
     }
 }
 
@@ -101,7 +98,7 @@ impl Table {
             Question::EqualError => (format!("frame ms up to {}", self.metric), ""),
         };
         let device = table::device(self.backend, self.software);
-        let place = title(&self.scene, &self.quantity);
+        let place = &self.place;
         let mut text = format!("\n{place} on {device}: {asked}\n");
         for rows in self.rows.chunks(LIMITS_ABREAST) {
             let _ = writeln!(text, "{}", self.abreast(rows, width));
@@ -185,7 +182,7 @@ impl Table {
 
 fn floors_in_words(floors: &[Floor], metric: Metric, width: Option<u16>) -> String {
     let mut text = String::new();
-    for group in floors.chunk_by(|a, b| (&a.scene, &a.quantity) == (&b.scene, &b.quantity)) {
+    for group in floors.chunk_by(|a, b| a.place == b.place) {
         let mut rows = table::plain(width);
         rows.set_header(["soonest at", "floor", "on", "frame ms", "least error"]);
         for floor in group {
@@ -198,7 +195,7 @@ fn floors_in_words(floors: &[Floor], metric: Metric, width: Option<u16>) -> Stri
             ]);
         }
         table::align(&mut rows, 3);
-        let place = title(&group[0].scene, &group[0].quantity);
+        let place = &group[0].place;
         let _ = writeln!(text, "\n{place}: floor of {metric}\n{rows}");
         if group.iter().any(|f| !f.reached) {
             text += "  open: nothing slower was measured; more time may lower it\n";
@@ -210,7 +207,7 @@ fn floors_in_words(floors: &[Floor], metric: Metric, width: Option<u16>) -> Stri
 impl Advice {
     fn words(&self) -> String {
         let device = table::device(self.backend, self.software);
-        let place = title(&self.scene, &self.quantity);
+        let place = &self.place;
         let mut text = format!("\n{place} on {device}, {}\n", self.budget);
         let metric = self.budget.metric;
         let mut line = |choice: &Choice, before: &str| {
@@ -275,10 +272,6 @@ fn named(choices: &[Choice]) -> String {
         names.push(format!("{more} more of these"));
     }
     names.join("; ")
-}
-
-fn title(scene: &str, quantity: &str) -> String {
-    format!("{scene}: {}", quantity.replace('_', " "))
 }
 
 /// A time, with its interval where there is one.

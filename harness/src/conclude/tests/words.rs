@@ -33,7 +33,7 @@ fn conclusions_fit_the_width_and_say_it_all() {
         let widest = text.lines().map(|l| l.chars().count()).max().unwrap();
         assert!(widest <= usize::from(width), "{widest} of {width}:\n{text}");
         for words in [
-            "room: irradiance: front of relMSE against the truth",
+            "room: irradiance, 64 points: front of relMSE against the truth",
             "localized_cubemap, resolution=2",
             "path tracing on cpu",
             "n-ray gathering",
@@ -68,7 +68,7 @@ fn advice_says_how_to_run_it_again() {
     let text = ask(Some(10.0), None) + &ask(Some(0.1), Some(0.2));
     println!("{text}");
     for words in [
-        "room: irradiance on cpu, at most 10.0 ms",
+        "room: irradiance, 64 points on cpu, at most 10.0 ms",
         "localized_cubemap, resolution=4: 4.00 (3.60–4.40) ms, relMSE against the truth 0.100",
         "--estimator localized_cubemap --set localized_cubemap.resolution=4",
         "at most 0.100 ms, error at most 0.200",
@@ -86,6 +86,7 @@ fn conclusions_are_json() {
     let conclusions = Conclusions::of(&runs, &baselines, Metric::Truth);
     let json = serde_json::to_value(&conclusions).unwrap();
     assert_eq!(json["metric"], "truth");
+    assert_eq!(json["fronts"][0]["scene"], "room");
     assert_eq!(json["fronts"][0]["members"][0]["choice"]["run"], 4);
     let table = &json["equal_time"][0];
     assert_eq!(table["question"], "equal_time");
