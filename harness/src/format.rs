@@ -21,7 +21,11 @@ fn digits(value: f64, significant: usize) -> String {
     if !(0.000_999_5..999_999.5).contains(&magnitude) {
         return format!("{value:.*e}", significant - 1);
     }
-    let decimals = significant as i32 - 1 - magnitude.log10().floor() as i32;
+    // 9.996 is 10.0, not 10.00: what counts is the magnitude of the rounded number.
+    let rounded: f64 = format!("{magnitude:.*e}", significant - 1)
+        .parse()
+        .unwrap_or(magnitude);
+    let decimals = significant as i32 - 1 - rounded.log10().floor() as i32;
     format!("{value:.*}", decimals.max(0) as usize)
 }
 
@@ -54,6 +58,8 @@ mod tests {
             (0.0, "0"),
             (1.0, "1.00"),
             (-0.123_45, "-0.123"),
+            (9.994, "9.99"),
+            (9.996, "10.0"),
             (12.345, "12.3"),
             (1234.5, "1234"),
             (0.001_234, "0.00123"),

@@ -1,7 +1,7 @@
 //! Which method, with which parameters, within a time or up to an error.
 
-use super::Metric;
 use super::candidate::{Candidate, Choice, grouped};
+use super::{Metric, Place};
 use crate::record::{Backend, Run};
 use serde::Serialize;
 
@@ -37,15 +37,14 @@ impl Budget {
     }
 }
 
-/// The answer for one scene, quantity and backend.
+/// The answer for one place and backend.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Advice {
     /// What was asked.
     pub budget: Budget,
-    /// Name of the scene.
-    pub scene: String,
-    /// Name of the estimated quantity, in snake case.
-    pub quantity: String,
+    /// What is estimated.
+    #[serde(flatten)]
+    pub place: Place,
     /// Where the runs took place.
     pub backend: Backend,
     /// It was a software adapter: its times say nothing about a GPU.
@@ -77,19 +76,18 @@ pub enum Answer {
     },
 }
 
-/// Answers for each scene, quantity and backend, in the order in which they first appear: with a time the
+/// Answers for each place and backend, in the order in which they first appear: with a time the
 /// most accurate run, with an error the fastest, with both the most accurate that keeps to both, with
 /// neither the most accurate of all.
 ///
 /// Backends are kept apart, since the times of a software adapter say nothing about a GPU.
 pub fn advise(runs: &[Run], budget: Budget) -> Vec<Advice> {
     let candidates = Candidate::all(runs, budget.metric);
-    let key = |r| place(r);
-    let advice = |((scene, quantity, backend, software), group): (_, Vec<_>)| {
+    let key = |r: &Run| (Place::of(r), r.backend, r.software);
+    let advice = |((place, backend, software), group): (_, Vec<_>)| {
         Some(Advice {
             budget,
-            scene: str::to_owned(scene),
-            quantity: str::to_owned(quantity),
+            place,
             backend,
             software,
             answer: answer(&group, &budget)?,
@@ -97,10 +95,6 @@ pub fn advise(runs: &[Run], budget: Budget) -> Vec<Advice> {
     };
     let groups = grouped(&candidates, key);
     groups.into_iter().filter_map(advice).collect()
-}
-
-fn place(run: &Run) -> (&str, &str, Backend, bool) {
-    (&run.scene, &run.quantity, run.backend, run.software)
 }
 
 /// `None` without candidates.

@@ -1,7 +1,7 @@
 //! What any scene can have at any time: path tracing, and rays gathered at each point.
 
 use super::candidate::{Candidate, FrameTime, grouped};
-use super::{Measured, Metric};
+use super::{Measured, Metric, Place};
 use crate::record::{ParamValue, Run};
 use interreflect_estimators::path_reference::PathReferenceParams;
 use interreflect_estimators::{Method as _, path_reference::PathReference};
@@ -73,24 +73,25 @@ pub struct Interpolated {
 pub(super) enum Reach {
     /// At a measured count, or between two.
     At(Interpolated),
-    /// It would take fewer samples than this, the fewest that were measured.
-    Below(u32),
-    /// It would take more samples than this, the most that were measured.
-    Beyond(u32),
+    /// All that was measured is within the limit. This end of it comes nearest: what the baseline reaches
+    /// is at least as good.
+    Within(Interpolated),
+    /// Nothing that was measured is within the limit; this end of it comes nearest.
+    Outside(Interpolated),
 }
 
 /// A baseline at rising sample counts; never empty.
 pub(super) struct Curve {
     pub(super) baseline: Baseline,
-    points: Vec<(u32, Interpolated)>,
+    points: Vec<Interpolated>,
 }
 
 impl Curve {
-    /// The baselines' curves for one scene and quantity, in the order of tables. Of several runs with the
+    /// The baselines' curves in one place, in the order of tables. Of several runs with the
     /// same count the first holds.
-    pub(super) fn all(runs: &[Run], scene: &str, quantity: &str, metric: Metric) -> Vec<Self> {
+    pub(super) fn all(runs: &[Run], place: &Place, metric: Metric) -> Vec<Self> {
         let mut here = Candidate::all(runs, metric);
-        here.retain(|c| (c.run.scene.as_str(), c.run.quantity.as_str()) == (scene, quantity));
+        here.retain(|c| Place::of(c.run) == *place);
         let mut curves: Vec<Self> = grouped(&here, Baseline::of)
             .into_iter()
             .filter_map(|(baseline, group)| Self::of(baseline?, &group))
@@ -100,57 +101,87 @@ impl Curve {
     }
 
     fn of(baseline: Baseline, group: &[Candidate<'_>]) -> Option<Self> {
-        let mut points: Vec<(u32, Interpolated)> = group.iter().filter_map(point).collect();
-        points.sort_by_key(|(samples, _)| *samples);
-        points.dedup_by_key(|(samples, _)| *samples);
+        let mut points: Vec<Interpolated> = group.iter().filter_map(point).collect();
+        points.sort_by(|a, b| a.samples.total_cmp(&b.samples));
+        points.dedup_by_key(|p| p.samples);
         (!points.is_empty()).then_some(Self { baseline, points })
     }
 
-    /// What is reached in this time.
+    /// The least error that is reached in this time.
+    ///
+    /// Neither times nor errors go by the number of samples without fail, so that what was measured within
+    /// the limit counts wherever it does better than the line.
     pub(super) fn at_time(&self, ms: f64) -> Reach {
-        let fits = |(_, p): &(u32, Interpolated)| p.frame.ms <= ms;
-        match self.points.iter().rposition(fits) {
-            None => Reach::Below(self.points[0].0),
-            Some(last) => self.on_segment(last, |p| p.frame.ms, ms),
-        }
-    }
-
-    /// What it takes to come to this error.
-    pub(super) fn at_error(&self, error: f64) -> Reach {
-        let does = |(_, p): &(u32, Interpolated)| p.error.value <= error;
-        match self.points.iter().position(does) {
-            None => Reach::Beyond(self.points[self.points.len() - 1].0),
-            Some(0) if self.points[0].1.error.value < error => Reach::Below(self.points[0].0),
-            Some(first) => self.on_segment(first.max(1) - 1, |p| p.error.value, error),
-        }
-    }
-
-    /// Between the points `i` and `i + 1`, where `key` has this value.
-    fn on_segment(&self, i: usize, key: impl Fn(&Interpolated) -> f64, value: f64) -> Reach {
-        let (samples, a) = self.points[i];
-        if key(&a) == value {
-            return Reach::At(a);
-        }
-        let Some((_, b)) = self.points.get(i + 1) else {
-            return Reach::Beyond(samples);
+        let Some(last) = self.points.iter().rposition(|p| p.frame.ms <= ms) else {
+            return Reach::Outside(self.points[0]);
         };
-        let fraction = (value / key(&a)).ln() / (key(b) / key(&a)).ln();
-        // The logarithm of an error of zero: only the end that has it is known to reach it.
-        let fraction = if key(b) > 0.0 { fraction } else { 1.0 };
-        Reach::At(between(&a, b, fraction))
+        let on_line = match self.points.get(last + 1) {
+            Some(next) => on_segment(&self.points[last], next, |p| p.frame.ms, ms),
+            None if self.points[last].frame.ms == ms => Reach::At(self.points[last]),
+            None => Reach::Within(self.points[last]),
+        };
+        let measured = self.points.iter().filter(|p| p.frame.ms <= ms);
+        on_line.or_better(measured, |p| p.error.value)
+    }
+
+    /// The least time that it takes to come to this error; see [`Self::at_time`].
+    pub(super) fn at_error(&self, error: f64) -> Reach {
+        let Some(first) = self.points.iter().position(|p| p.error.value <= error) else {
+            return Reach::Outside(self.points[self.points.len() - 1]);
+        };
+        let here = &self.points[first];
+        let on_line = match first.checked_sub(1) {
+            Some(before) => on_segment(&self.points[before], here, |p| p.error.value, error),
+            None if here.error.value == error || here.samples <= 1.0 => Reach::At(*here),
+            None => Reach::Within(*here),
+        };
+        let measured = self.points.iter().filter(|p| p.error.value <= error);
+        on_line.or_better(measured, |p| p.frame.ms)
     }
 }
 
-fn point(candidate: &Candidate<'_>) -> Option<(u32, Interpolated)> {
+impl Reach {
+    /// The same kind of answer with the best of these, where one does better by `key`.
+    fn or_better<'a>(
+        self,
+        measured: impl Iterator<Item = &'a Interpolated>,
+        key: impl Fn(&Interpolated) -> f64,
+    ) -> Self {
+        let best = |found: Interpolated| {
+            measured.fold(found, |best, p| if key(p) < key(&best) { *p } else { best })
+        };
+        match self {
+            Self::At(found) => Self::At(best(found)),
+            Self::Within(found) => Self::Within(best(found)),
+            Self::Outside(end) => Self::Outside(end),
+        }
+    }
+}
+
+/// Between two neighbours, where `key` has this value.
+fn on_segment(
+    a: &Interpolated,
+    b: &Interpolated,
+    key: impl Fn(&Interpolated) -> f64,
+    value: f64,
+) -> Reach {
+    // An error of zero has no logarithm: only the end that has it is known to reach it.
+    let fraction = match key(b) > 0.0 {
+        true => (value / key(a)).ln() / (key(b) / key(a)).ln(),
+        false => 1.0,
+    };
+    Reach::At(between(a, b, fraction))
+}
+
+fn point(candidate: &Candidate<'_>) -> Option<Interpolated> {
     let ParamValue::U32(samples) = *candidate.run.params.get(SAMPLES)? else {
         return None;
     };
-    let point = Interpolated {
+    (samples > 0 && candidate.time.low > 0.0).then_some(Interpolated {
         samples: samples.into(),
         frame: candidate.time,
         error: candidate.error,
-    };
-    (samples > 0 && candidate.time.low > 0.0).then_some((samples, point))
+    })
 }
 
 fn between(a: &Interpolated, b: &Interpolated, fraction: f64) -> Interpolated {
@@ -163,10 +194,10 @@ fn between(a: &Interpolated, b: &Interpolated, fraction: f64) -> Interpolated {
             high: log(a.frame.high, b.frame.high),
         },
         error: Measured {
-            // Without a logarithm the larger end's error holds: that of fewer samples was reached.
             value: match a.error.value > 0.0 && b.error.value > 0.0 {
                 true => log(a.error.value, b.error.value),
-                false if fraction < 1.0 => a.error.value.max(b.error.value),
+                // Without a logarithm, what fewer samples reached.
+                false if fraction < 1.0 => a.error.value,
                 false => b.error.value,
             },
             noise: a.error.noise.max(b.error.noise),

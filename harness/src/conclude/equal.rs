@@ -2,9 +2,12 @@
 
 use super::baseline::{Baseline, Curve, Interpolated, Reach};
 use super::candidate::{Candidate, Choice, FrameTime, grouped};
-use super::{Measured, Metric, series};
+use super::{Measured, Metric, Place, series};
 use crate::record::{Backend, Run};
 use serde::Serialize;
+
+/// Frame time and error.
+pub type Numbers = (FrameTime, Measured);
 
 /// What a table asks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -16,17 +19,16 @@ pub enum Question {
     EqualError,
 }
 
-/// The answers for one scene, quantity and backend.
+/// The answers for one place and backend.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Table {
     /// What is asked.
     pub question: Question,
     /// By which error.
     pub metric: Metric,
-    /// Name of the scene.
-    pub scene: String,
-    /// Name of the estimated quantity, in snake case.
-    pub quantity: String,
+    /// What is estimated.
+    #[serde(flatten)]
+    pub place: Place,
     /// Where the methods ran. Baselines run on the CPU always.
     pub backend: Backend,
     /// It was a software adapter: its times say nothing about a GPU.
@@ -57,6 +59,8 @@ pub struct Row {
     pub winner: Option<usize>,
     /// Indices of the contestants that can't be told apart from the winner.
     pub alike: Vec<usize>,
+    /// Indices of the baselines that might do better with a sample count that was not measured.
+    pub open: Vec<usize>,
 }
 
 /// What a contestant reaches within a limit.
@@ -67,27 +71,21 @@ pub enum Cell {
     Run(Choice),
     /// A baseline between measured sample counts.
     Interpolated(Interpolated),
-    /// A baseline would need fewer samples than were measured.
-    Below {
-        /// The fewest that were measured.
-        samples: u32,
-    },
-    /// A baseline would need more samples than were measured.
-    Beyond {
-        /// The most that were measured.
-        samples: u32,
-    },
+    /// A baseline with all that was measured within the limit: at least as good as this end of it.
+    Bound(Interpolated),
+    /// A baseline with nothing that was measured within the limit; this end of it comes nearest.
+    Outside(Interpolated),
     /// None of the method's runs is within the limit.
     Missed,
 }
 
 impl Cell {
-    /// Frame time and error, where there are numbers.
-    pub fn numbers(&self) -> Option<(FrameTime, Measured)> {
+    /// Frame time and error that are within the limit, where there are such.
+    pub fn numbers(&self) -> Option<Numbers> {
         match self {
             Self::Run(choice) => Some((choice.frame, choice.error)),
-            Self::Interpolated(at) => Some((at.frame, at.error)),
-            Self::Below { .. } | Self::Beyond { .. } | Self::Missed => None,
+            Self::Interpolated(at) | Self::Bound(at) => Some((at.frame, at.error)),
+            Self::Outside(_) | Self::Missed => None,
         }
     }
 }
@@ -96,8 +94,8 @@ impl From<Reach> for Cell {
     fn from(reach: Reach) -> Self {
         match reach {
             Reach::At(at) => Self::Interpolated(at),
-            Reach::Below(samples) => Self::Below { samples },
-            Reach::Beyond(samples) => Self::Beyond { samples },
+            Reach::Within(end) => Self::Bound(end),
+            Reach::Outside(end) => Self::Outside(end),
         }
     }
 }
@@ -122,10 +120,26 @@ impl Question {
         }
     }
 
-    fn alike(self, a: (FrameTime, Measured), b: (FrameTime, Measured)) -> bool {
+    fn sought(self, (time, error): Numbers) -> f64 {
+        self.ordered(time.ms, error.value).1
+    }
+
+    fn alike(self, a: Numbers, b: Numbers) -> bool {
         match self {
             Self::EqualTime => a.1.alike(b.1),
             Self::EqualError => a.0.alike(b.0),
+        }
+    }
+
+    /// Whether a sample count that was not measured might do better than the best of a row.
+    fn open(self, cell: &Cell, best: Numbers) -> bool {
+        match cell {
+            Cell::Bound(_) => true,
+            // Fewer than one sample there are not. Fewer than others have a larger error than these, and
+            // more take a longer time.
+            Cell::Outside(end) if self == Self::EqualTime && end.samples <= 1.0 => false,
+            Cell::Outside(end) => self.sought((end.frame, end.error)) < self.sought(best),
+            Cell::Run(_) | Cell::Interpolated(_) | Cell::Missed => false,
         }
     }
 }
@@ -143,16 +157,15 @@ pub fn equal_error(runs: &[Run], baselines: &[Run], metric: Metric) -> Vec<Table
 fn tables(question: Question, runs: &[Run], baselines: &[Run], metric: Metric) -> Vec<Table> {
     let candidates = Candidate::all(runs, metric);
     let mut tables = Vec::new();
-    for ((scene, quantity), of_both) in grouped(&candidates, |r| (&r.scene, &r.quantity)) {
+    for (place, of_both) in grouped(&candidates, Place::of) {
         let limits = series::spanning(of_both.iter().map(|c| question.of_run(c).0));
-        let curves = Curve::all(baselines, scene, quantity, metric);
+        let curves = Curve::all(baselines, &place, metric);
         for ((backend, software), group) in grouped(&of_both, |r| (r.backend, r.software)) {
             let methods = grouped(&group, Run::label);
             tables.push(Table {
                 question,
                 metric,
-                scene: scene.clone(),
-                quantity: quantity.clone(),
+                place: place.clone(),
                 backend,
                 software,
                 contestants: contestants(&methods, &curves),
@@ -184,22 +197,27 @@ fn row(question: Question, limit: f64, methods: &Methods<'_>, curves: &[Curve]) 
     let methods = methods.iter().map(|(_, runs)| best(question, limit, runs));
     let baselines = curves.iter().map(|c| question.reach(c, limit).into());
     let cells: Vec<Cell> = methods.chain(baselines).collect();
-    let numbers: Vec<_> = cells.iter().map(Cell::numbers).collect();
-    let sought = |n: &(FrameTime, Measured)| question.ordered(n.0.ms, n.1.value).1;
-    let standing = numbers
-        .iter()
-        .enumerate()
-        .filter_map(|(i, n)| Some((i, (*n)?)));
-    let winner = standing
-        .clone()
-        .min_by(|(_, a), (_, b)| sought(a).total_cmp(&sought(b)));
+    let standing: Vec<(usize, Numbers)> = (0..)
+        .zip(&cells)
+        .filter_map(|(i, cell)| Some((i, cell.numbers()?)))
+        .collect();
+    let of = |(_, numbers): &(usize, Numbers)| question.sought(*numbers);
+    let winner = standing.iter().min_by(|a, b| of(a).total_cmp(&of(b)));
+    let others = |counts: &dyn Fn(usize, Numbers) -> bool| match winner {
+        None => Vec::new(),
+        Some(&(winner, best)) => (0..cells.len())
+            .filter(|&i| i != winner && counts(i, best))
+            .collect(),
+    };
+    let alike = |i: usize, best| {
+        let numbers = cells[i].numbers();
+        numbers.is_some_and(|n| question.alike(best, n))
+    };
     Row {
         limit,
-        winner: winner.map(|(i, _)| i),
-        alike: standing
-            .filter(|(i, n)| winner.is_some_and(|(w, best)| *i != w && question.alike(best, *n)))
-            .map(|(i, _)| i)
-            .collect(),
+        winner: winner.map(|(i, _)| *i),
+        alike: others(&alike),
+        open: others(&|i, best| question.open(&cells[i], best)),
         cells,
     }
 }

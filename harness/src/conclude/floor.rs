@@ -1,17 +1,16 @@
 //! The floor of each method: the error that more time does not lower.
 
-use super::Metric;
 use super::candidate::{Candidate, Choice, grouped};
+use super::{Metric, Place};
 use crate::record::Run;
 use serde::Serialize;
 
-/// The least error of a method on one scene, quantity and backend.
+/// The least error of a method in one place on one backend.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Floor {
-    /// Name of the scene.
-    pub scene: String,
-    /// Name of the estimated quantity, in snake case.
-    pub quantity: String,
+    /// What is estimated.
+    #[serde(flatten)]
+    pub place: Place,
     /// The run with the least error.
     pub least: Choice,
     /// The fastest run whose error can't be told apart from it: further time buys nothing.
@@ -21,12 +20,12 @@ pub struct Floor {
     pub reached: bool,
 }
 
-/// The floor of each method, fidelity and backend, by scene and quantity.
+/// The floor of each method, fidelity and backend, by place.
 pub fn floors(runs: &[Run], metric: Metric) -> Vec<Floor> {
     let candidates = Candidate::all(runs, metric);
     let key = |r| (Run::label(r), r.backend, r.software);
     let mut floors = Vec::new();
-    for ((scene, quantity), here) in grouped(&candidates, |r| (&r.scene, &r.quantity)) {
+    for (place, here) in grouped(&candidates, Place::of) {
         let methods = grouped(&here, key);
         floors.extend(methods.iter().filter_map(|(_, runs)| {
             let least = runs
@@ -35,8 +34,7 @@ pub fn floors(runs: &[Run], metric: Metric) -> Vec<Floor> {
             let as_good = runs.iter().filter(|c| c.error.alike(least.error));
             let soonest = as_good.min_by(|a, b| a.time.ms.total_cmp(&b.time.ms))?;
             Some(Floor {
-                scene: scene.clone(),
-                quantity: quantity.clone(),
+                place: place.clone(),
                 least: Choice::of(least, runs),
                 soonest: Choice::of(soonest, runs),
                 reached: runs.iter().any(|c| soonest.time.surely_less(c.time)),

@@ -7,8 +7,8 @@
 //! path tracing and n-ray gathering, and each method's [`Floor`], the error that more time does not lower.
 //! [`advise`] answers a question with a limit.
 //!
-//! All are pure functions of runs of one campaign: the same points, one machine. Errors are by a [`Metric`];
-//! what is inside the noise of the times or of the reference is named with the answer.
+//! All are pure functions of runs on one machine; what is held against each other shares its [`Place`].
+//! Errors are by a [`Metric`]; what is inside the noise of the times or of the reference is named with the answer.
 
 mod advice;
 mod baseline;
@@ -17,16 +17,18 @@ mod equal;
 mod floor;
 mod metric;
 mod pareto;
+mod place;
 mod series;
 mod words;
 
 pub use advice::{Advice, Answer, Budget, advise};
 pub use baseline::{Baseline, Interpolated};
 pub use candidate::{Choice, FrameTime};
-pub use equal::{Cell, Contestant, Question, Row, Table, equal_error, equal_time};
+pub use equal::{Cell, Contestant, Numbers, Question, Row, Table, equal_error, equal_time};
 pub use floor::{Floor, floors};
 pub use metric::{Measured, Metric};
 pub use pareto::{Front, Standing, fronts, pareto};
+pub use place::Place;
 pub use words::advice_in_words;
 
 use crate::record::Run;
@@ -37,13 +39,13 @@ use serde::Serialize;
 pub struct Conclusions {
     /// By which errors.
     pub metric: Metric,
-    /// One front for each scene and quantity.
+    /// One front for each place.
     pub fronts: Vec<Front>,
-    /// The least error within a time; one table for each scene, quantity and backend.
+    /// The least error within a time; one table for each place and backend.
     pub equal_time: Vec<Table>,
-    /// The least time to an error; one table for each scene, quantity and backend.
+    /// The least time to an error; one table for each place and backend.
     pub equal_error: Vec<Table>,
-    /// One floor for each scene, quantity, method and backend.
+    /// One floor for each place, method and backend.
     pub floors: Vec<Floor>,
 }
 

@@ -1,17 +1,16 @@
 //! The Pareto front: the runs that no other beats in both time and error.
 
-use super::Metric;
 use super::candidate::{Candidate, Choice, grouped};
+use super::{Metric, Place};
 use crate::record::Run;
 use serde::Serialize;
 
-/// The front of one scene and quantity.
+/// The front of one place.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Front {
-    /// Name of the scene.
-    pub scene: String,
-    /// Name of the estimated quantity, in snake case.
-    pub quantity: String,
+    /// What is estimated.
+    #[serde(flatten)]
+    pub place: Place,
     /// The runs on the front, fastest first. `rivals` are those inside the noise that could displace it.
     pub members: Vec<Standing>,
     /// Runs beside the front that could belong to it, since none beats them beyond doubt, fastest first.
@@ -35,7 +34,7 @@ impl Standing {
     }
 }
 
-/// Indices, rising, of the runs that no other run of the same scene and quantity beats: none is as good in
+/// Indices, rising, of the runs that no other run of the same [`Place`] beats: none is as good in
 /// both frame time and relMSE against the truth, and better in one. Runs that tie in both stay; runs that
 /// were skipped or lack a number never belong.
 pub fn fronts(runs: &[Run]) -> Vec<usize> {
@@ -46,14 +45,13 @@ pub fn fronts(runs: &[Run]) -> Vec<usize> {
     indices
 }
 
-/// The front of each scene and quantity, with what noise leaves in doubt, in the order in which they first
-/// appear.
+/// The front of each place, with what noise leaves in doubt, in the order in which places first appear.
 ///
 /// Runs of all backends are held against each other: hand over one backend's runs for its own front.
 pub fn pareto(runs: &[Run], metric: Metric) -> Vec<Front> {
     let candidates = Candidate::all(runs, metric);
-    let groups = grouped(&candidates, |r| (&r.scene, &r.quantity));
-    let front = |((scene, quantity), mut group): (_, Vec<Candidate<'_>>)| {
+    let groups = grouped(&candidates, Place::of);
+    let front = |(place, mut group): (Place, Vec<Candidate<'_>>)| {
         group.sort_by(|a, b| a.time.ms.total_cmp(&b.time.ms));
         let (members, others): (Vec<_>, Vec<_>) = group
             .iter()
@@ -66,8 +64,7 @@ pub fn pareto(runs: &[Run], metric: Metric) -> Vec<Front> {
             .iter()
             .filter(|c| !group.iter().any(|other| other.surely_beats(c)));
         Front {
-            scene: String::clone(scene),
-            quantity: String::clone(quantity),
+            place,
             members: members
                 .iter()
                 .map(|c| standing(c, &|other| other.may_beat(c)))

@@ -46,6 +46,7 @@ fn run(estimator: &str, ms: f64, relmse: f64) -> Run {
 /// As [`run`], with the reach of the time's interval and the noise of the error.
 fn noisy(estimator: &str, (ms, spread): (f64, f64), (relmse, noise): (f64, f64)) -> Run {
     Run {
+        points: 64,
         phases_ms: Phases {
             shade: timing(ms, spread),
             ..Phases::default()

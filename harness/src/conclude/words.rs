@@ -2,7 +2,7 @@
 
 use super::{
     Advice, Answer, Budget, Cell, Choice, Conclusions, Floor, FrameTime, Front, Measured, Metric,
-    Question, Row, Standing, Table,
+    Numbers, Question, Row, Standing, Table,
 };
 use crate::{format, table};
 use std::fmt::Write as _;
@@ -32,12 +32,20 @@ pub fn advice_in_words(advice: &[Advice]) -> String {
 }
 
 /// Marks with what they mean.
-const NOTES: [(&[&str], &str); 5] = [
+const NOTES: [(&[&str], &str); 7] = [
     (&["* "], "*: the best within this limit\n"),
     (&["≈ "], "≈: can't be told apart from the best\n"),
     (
-        &["n < ", "n > "],
-        "n <, n >: fewer or more samples than were measured; nothing is extrapolated\n",
+        &["? "],
+        "?: might be better, with a sample count that was not measured\n",
+    ),
+    (
+        &[" < "],
+        "<: this or better; it is the end of the sample counts that were measured\n",
+    ),
+    (
+        &["n<", "n>"],
+        "n<, n>: would take fewer or more samples than were measured; nothing is extrapolated\n",
     ),
     (&[" sw"], table::SOFTWARE),
     (&["≲ "], table::UPPER_BOUND),
@@ -79,10 +87,7 @@ impl Front {
             add(contender, "behind it, inside the noise");
         }
         table::align(&mut rows, 3);
-        format!(
-            "\n{}: front of {metric} and time\n{rows}\n",
-            title(&self.scene, &self.quantity)
-        )
+        format!("\n{}: front of {metric} and time\n{rows}\n", self.place)
     }
 }
 
@@ -93,7 +98,7 @@ impl Table {
             Question::EqualError => (format!("frame ms up to {}", self.metric), ""),
         };
         let device = table::device(self.backend, self.software);
-        let place = title(&self.scene, &self.quantity);
+        let place = &self.place;
         let mut text = format!("\n{place} on {device}: {asked}\n");
         for rows in self.rows.chunks(LIMITS_ABREAST) {
             let _ = writeln!(text, "{}", self.abreast(rows, width));
@@ -128,6 +133,7 @@ impl Table {
                 let mark = match row.winner {
                     Some(winner) if winner == i => "* ",
                     _ if row.alike.contains(&i) => "≈ ",
+                    _ if row.open.contains(&i) => "? ",
                     _ => "",
                 };
                 format!("{mark}{}", self.cell(&row.cells[i]))
@@ -139,14 +145,18 @@ impl Table {
     }
 
     fn cell(&self, cell: &Cell) -> String {
+        let sought = |(frame, found): Numbers| match self.question {
+            Question::EqualTime => error(found),
+            Question::EqualError => format::number(frame.ms),
+        };
         match (cell, cell.numbers()) {
-            (_, Some((frame, found))) => match self.question {
-                Question::EqualTime => error(found),
-                Question::EqualError => format::number(frame.ms),
+            (Cell::Bound(_), Some(numbers)) => format!("< {}", sought(numbers)),
+            (_, Some(numbers)) => sought(numbers),
+            (Cell::Outside(end), _) => match self.question {
+                Question::EqualTime => format!("n<{}", end.samples),
+                Question::EqualError => format!("n>{}", end.samples),
             },
-            (Cell::Below { samples }, _) => format!("n < {samples}"),
-            (Cell::Beyond { samples }, _) => format!("n > {samples}"),
-            _ => "–".into(),
+            (_, None) => "–".into(),
         }
     }
 
@@ -155,11 +165,11 @@ impl Table {
         let winner = row.winner?;
         let mut words = match &row.cells[winner] {
             Cell::Run(choice) => choice.label(),
-            Cell::Interpolated(at) => {
+            Cell::Interpolated(at) | Cell::Bound(at) => {
                 let samples = format::number(at.samples);
                 format!("{}, n = {samples}", self.contestants[winner].name)
             }
-            Cell::Below { .. } | Cell::Beyond { .. } | Cell::Missed => return None,
+            Cell::Outside(_) | Cell::Missed => return None,
         };
         let alike = row.alike.iter().map(|&i| self.contestants[i].name.as_str());
         let alike: Vec<&str> = alike.collect();
@@ -172,7 +182,7 @@ impl Table {
 
 fn floors_in_words(floors: &[Floor], metric: Metric, width: Option<u16>) -> String {
     let mut text = String::new();
-    for group in floors.chunk_by(|a, b| (&a.scene, &a.quantity) == (&b.scene, &b.quantity)) {
+    for group in floors.chunk_by(|a, b| a.place == b.place) {
         let mut rows = table::plain(width);
         rows.set_header(["soonest at", "floor", "on", "frame ms", "least error"]);
         for floor in group {
@@ -185,7 +195,7 @@ fn floors_in_words(floors: &[Floor], metric: Metric, width: Option<u16>) -> Stri
             ]);
         }
         table::align(&mut rows, 3);
-        let place = title(&group[0].scene, &group[0].quantity);
+        let place = &group[0].place;
         let _ = writeln!(text, "\n{place}: floor of {metric}\n{rows}");
         if group.iter().any(|f| !f.reached) {
             text += "  open: nothing slower was measured; more time may lower it\n";
@@ -197,7 +207,7 @@ fn floors_in_words(floors: &[Floor], metric: Metric, width: Option<u16>) -> Stri
 impl Advice {
     fn words(&self) -> String {
         let device = table::device(self.backend, self.software);
-        let place = title(&self.scene, &self.quantity);
+        let place = &self.place;
         let mut text = format!("\n{place} on {device}, {}\n", self.budget);
         let metric = self.budget.metric;
         let mut line = |choice: &Choice, before: &str| {
@@ -262,10 +272,6 @@ fn named(choices: &[Choice]) -> String {
         names.push(format!("{more} more of these"));
     }
     names.join("; ")
-}
-
-fn title(scene: &str, quantity: &str) -> String {
-    format!("{scene}: {}", quantity.replace('_', " "))
 }
 
 /// A time, with its interval where there is one.

@@ -104,8 +104,8 @@ fn baselines_meet_the_law_between_their_measured_counts() {
     assert_eq!(names(table)[2], "path tracing");
     for row in &table.rows {
         match (&row.cells[2], row.limit) {
-            (Cell::Below { samples: 1 }, ms) => assert!(ms < 2.0),
-            (Cell::Beyond { samples: 64 }, ms) => assert!(ms > 128.0),
+            (Cell::Outside(end), ms) => assert!(end.samples == 1.0 && ms < 2.0),
+            (Cell::Bound(end), ms) => assert!(end.samples == 64.0 && ms > 128.0),
             (Cell::Interpolated(at), ms) => {
                 close(at.samples, ms / 2.0);
                 close(at.error.value, 0.8 * 2.0 / ms);
@@ -114,15 +114,15 @@ fn baselines_meet_the_law_between_their_measured_counts() {
             (other, ms) => panic!("{other:?} at {ms} ms"),
         }
     }
-    let kinds = |cell: fn(&Cell) -> bool| table.rows.iter().filter(|r| cell(&r.cells[2])).count();
+    let count = |kind: fn(&Cell) -> bool| table.rows.iter().filter(|r| kind(&r.cells[2])).count();
     // 1; 2 to 100; 200.
-    assert_eq!(kinds(|c| matches!(c, Cell::Below { .. })), 1);
-    assert_eq!(kinds(|c| matches!(c, Cell::Interpolated(_))), 6);
-    assert_eq!(kinds(|c| matches!(c, Cell::Beyond { .. })), 1);
+    assert_eq!(count(|c| matches!(c, Cell::Outside(_))), 1);
+    assert_eq!(count(|c| matches!(c, Cell::Interpolated(_))), 6);
+    assert_eq!(count(|c| matches!(c, Cell::Bound(_))), 1);
     let table = &equal_error(&runs, &baselines, Metric::Truth)[0];
     for row in &table.rows {
         match (&row.cells[2], row.limit) {
-            (Cell::Beyond { samples: 64 }, error) => assert!(error < 0.8 / 64.0),
+            (Cell::Outside(end), error) => assert!(end.samples == 64.0 && error < 0.8 / 64.0),
             (Cell::Interpolated(at), error) => {
                 close(at.frame.ms, 2.0 * 0.8 / error);
                 close(at.error.value, error);
@@ -132,13 +132,44 @@ fn baselines_meet_the_law_between_their_measured_counts() {
     }
 }
 
+/// Beyond what was measured a baseline counts with what it surely reaches, and might do better.
 #[test]
-fn an_error_that_the_fewest_samples_undercut_is_not_extrapolated() {
+fn the_ends_of_a_baseline_are_bounds() {
     let baselines = [traced(4, 1, 1.0, 0.8), traced(8, 1, 1.0, 0.8)];
-    let table = &equal_error(&[run("a", 1.0, 0.9)], &baselines, Metric::Truth)[0];
-    assert_eq!(names(table), ["a", "n-ray gathering"]);
-    assert_eq!(table.rows[0].cells[1], Cell::Below { samples: 4 });
-    assert_eq!(table.rows[0].winner, Some(0));
+    let last = |tables: Vec<Table>| tables[0].rows.last().cloned().unwrap();
+    let outcome = |row: Row| (row.winner, row.open);
+    let at_time = |ms, error| {
+        last(equal_time(
+            &[run("a", ms, error)],
+            &baselines,
+            Metric::Truth,
+        ))
+    };
+    // In 20 ms there is room for eight samples and more: .1, or less.
+    assert_eq!(outcome(at_time(20.0, 0.5)), (Some(1), vec![]));
+    assert_eq!(outcome(at_time(20.0, 0.05)), (Some(0), vec![1]));
+    // In 2 ms, with less than four samples, the error is above .2.
+    assert_eq!(outcome(at_time(2.0, 0.5)), (Some(0), vec![1]));
+    assert_eq!(outcome(at_time(2.0, 0.1)), (Some(0), vec![]));
+    let at_error = |ms, error| {
+        last(equal_error(
+            &[run("a", ms, error)],
+            &baselines,
+            Metric::Truth,
+        ))
+    };
+    // Up to .5, four samples do, in 4 ms or less.
+    assert_eq!(outcome(at_error(9.0, 0.5)), (Some(1), vec![]));
+    assert_eq!(outcome(at_error(3.0, 0.5)), (Some(0), vec![1]));
+    // Up to .05 more than eight samples are needed, and so more than 8 ms.
+    assert_eq!(outcome(at_error(9.0, 0.05)), (Some(0), vec![1]));
+    assert_eq!(outcome(at_error(7.0, 0.05)), (Some(0), vec![]));
+    // One sample is the least there is: nothing is open.
+    let one = [traced(1, 0, 4.0, 0.8)];
+    let row = last(equal_time(&[run("a", 2.0, 0.9)], &one, Metric::Truth));
+    assert_eq!(outcome(row), (Some(0), vec![]));
+    let row = last(equal_error(&[run("a", 2.0, 0.9)], &one, Metric::Truth));
+    assert_eq!(outcome(row), (Some(0), vec![]));
 }
 
 #[test]
@@ -170,7 +201,25 @@ fn odd_baselines_give_numbers_that_were_measured() {
     // .1, .2: only the exact one is known to do. .5: between one sample and two.
     let found = at(equal_error(&runs, &baselines, Metric::Truth));
     assert_eq!(found[..2], [(4.0, 0.0), (4.0, 0.0)]);
-    assert!(found[2].0 < 1.0 && found[2].0 > 0.9);
+    // Two samples took less time than any number that would do by the line.
+    assert_eq!(found[2], (0.9, 0.4));
+}
+
+/// The error came to its floor and went on by chance: the fewer samples are the better answer.
+#[test]
+fn what_was_measured_counts_where_it_beats_the_line() {
+    let mut floor = [1, 4, 16].map(|n| traced(n, 1, 1.0, 0.8));
+    floor[2].truth.as_mut().unwrap().relmse = Some(0.3);
+    let runs = [run("a", 10.0, 0.5), run("b", 20.0, 0.5)];
+    let table = &equal_time(&runs, &floor, Metric::Truth)[0];
+    let found: Vec<_> = table
+        .rows
+        .iter()
+        .map(|r| r.cells[2].numbers().unwrap())
+        .collect();
+    let numbers: Vec<_> = found.iter().map(|(f, e)| (f.ms, e.value)).collect();
+    assert_eq!(numbers, [(4.0, 0.2), (4.0, 0.2)]);
+    assert!(matches!(table.rows[1].cells[2], Cell::Bound(_)));
 }
 
 #[test]
@@ -192,12 +241,17 @@ fn only_plain_path_tracing_is_a_baseline() {
 }
 
 #[test]
-fn baselines_of_other_scenes_do_not_count() {
+fn baselines_elsewhere_do_not_count() {
     let elsewhere = Run {
         scene: "hall".into(),
         ..traced(1, 0, 1.0, 1.0)
     };
-    let table = &equal_time(&sweep(), &[elsewhere], Metric::Truth)[0];
+    let of_more_points = Run {
+        points: 65,
+        ..traced(1, 0, 1.0, 1.0)
+    };
+    let baselines = [elsewhere, of_more_points];
+    let table = &equal_time(&sweep(), &baselines, Metric::Truth)[0];
     assert_eq!(table.contestants.len(), 3);
 }
 

@@ -31,7 +31,7 @@ fn ties_stay_and_one_equal_number_does_not_save() {
 }
 
 #[test]
-fn scenes_and_quantities_are_apart() {
+fn what_is_not_the_same_is_apart() {
     let other_scene = Run {
         scene: "hall".into(),
         ..run("a", 9.0, 0.9)
@@ -40,9 +40,23 @@ fn scenes_and_quantities_are_apart() {
         quantity: "glossy_radiance".into(),
         ..run("a", 9.0, 0.9)
     };
-    let runs = [run("a", 1.0, 0.1), other_scene, other_quantity];
-    assert_eq!(fronts(&runs), [0, 1, 2]);
-    assert_eq!(pareto(&runs, Metric::Truth).len(), 3);
+    let more_points = Run {
+        points: 65,
+        ..run("a", 9.0, 0.9)
+    };
+    let changed = Run {
+        scene_hash: Some("5ce9e".into()),
+        ..run("a", 9.0, 0.9)
+    };
+    let runs = [
+        run("a", 1.0, 0.1),
+        other_scene,
+        other_quantity,
+        more_points,
+        changed,
+    ];
+    assert_eq!(fronts(&runs), [0, 1, 2, 3, 4]);
+    assert_eq!(pareto(&runs, Metric::Truth).len(), 5);
 }
 
 #[test]
