@@ -1,6 +1,7 @@
 //! What can go wrong, and with which exit code the program ends.
 
 use crate::output::{OutputError, TevError};
+use crate::report::ReportError;
 use interreflect_cpu::scene::CpuError;
 use interreflect_cpu::tiles::CpuCxError;
 use interreflect_estimators::{EstimatorError, UnknownEstimator, Unsupported};
@@ -72,10 +73,10 @@ pub enum HarnessError {
     },
     /// Images can't be shown in tev.
     #[error(transparent)]
-    Tev(#[from] crate::output::TevError),
+    Tev(#[from] TevError),
     /// The report can't be made.
     #[error(transparent)]
-    Report(#[from] crate::report::ReportError),
+    Report(#[from] ReportError),
 }
 
 impl HarnessError {
@@ -90,6 +91,9 @@ impl HarnessError {
             | Self::CpuCx(CpuCxError::Lacking(_))
             | Self::Cpu(_)
             | Self::Tev(TevError::Connect { .. })
+            | Self::Report(ReportError::Output(
+                OutputError::Read { .. } | OutputError::NoResults { .. },
+            ))
             | Self::Output(OutputError::Read { .. } | OutputError::NoResults { .. })
             | Self::Gpu(GpuError::UnknownAdapter { .. } | GpuError::TooManyLights { .. })
             | Self::Estimator(EstimatorError::Unsupported(_) | EstimatorError::Point(_)) => 2,
