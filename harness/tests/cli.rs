@@ -150,7 +150,7 @@ const BENCH: &str = "bench furnace --estimator constant_ambient --estimator loca
 fn bench_prints_machine_and_runs() {
     let folder = Folder::new();
     let results = folder.json(&format!("{BENCH} --json"));
-    assert_eq!(keys(&results), ["machine", "runs"]);
+    assert_eq!(keys(&results), ["command", "machine", "runs", "seed"]);
     for word in [
         "cpu",
         "threads",
