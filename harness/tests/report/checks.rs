@@ -181,11 +181,12 @@ pub(crate) fn phone(tab: &Tab) -> Result<(), Failed> {
         device_posture: None,
     };
     tab.call_method(metrics).map_err(|e| e.to_string())?;
-    wait(tab, "innerWidth === 390")?;
-    wait(tab, "document.documentElement.scrollWidth <= innerWidth")?;
+    // What is wider than the screen widens the window of a page on a phone.
+    let fits = "innerWidth === 390 && document.documentElement.scrollWidth === 390";
+    wait(tab, fits)?;
     for layout in ["split", "all"] {
         click(tab, &format!("input[name=v-layout][value={layout}]"))?;
-        wait(tab, "document.documentElement.scrollWidth <= innerWidth")?;
+        wait(tab, fits)?;
     }
     Ok(())
 }
