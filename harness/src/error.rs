@@ -1,6 +1,7 @@
 //! What can go wrong, and with which exit code the program ends.
 
 use crate::output::{OutputError, TevError};
+use crate::report::ReportError;
 use interreflect_cpu::scene::CpuError;
 use interreflect_cpu::tiles::CpuCxError;
 use interreflect_estimators::{EstimatorError, UnknownEstimator, Unsupported};
@@ -76,9 +77,10 @@ pub enum HarnessError {
     /// The journal of a sweep can't be used.
     #[error(transparent)]
     Journal(#[from] crate::campaign::JournalError),
+    Tev(#[from] TevError),
     /// The report can't be made.
     #[error(transparent)]
-    Report(#[from] crate::report::ReportError),
+    Report(#[from] ReportError),
 }
 
 impl HarnessError {
@@ -94,6 +96,9 @@ impl HarnessError {
             | Self::CpuCx(CpuCxError::Lacking(_))
             | Self::Cpu(_)
             | Self::Tev(TevError::Connect { .. })
+            | Self::Report(ReportError::Output(
+                OutputError::Read { .. } | OutputError::NoResults { .. },
+            ))
             | Self::Output(OutputError::Read { .. } | OutputError::NoResults { .. })
             | Self::Gpu(GpuError::UnknownAdapter { .. } | GpuError::TooManyLights { .. })
             | Self::Estimator(EstimatorError::Unsupported(_) | EstimatorError::Point(_)) => 2,

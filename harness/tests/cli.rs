@@ -150,7 +150,7 @@ const BENCH: &str = "bench furnace --estimator constant_ambient --estimator loca
 fn bench_prints_machine_and_runs() {
     let folder = Folder::new();
     let results = folder.json(&format!("{BENCH} --json"));
-    assert_eq!(keys(&results), ["machine", "runs"]);
+    assert_eq!(keys(&results), ["command", "machine", "runs", "seed"]);
     for word in [
         "cpu",
         "threads",
@@ -231,7 +231,7 @@ fn bench_leaves_whole_files_under_their_names() {
     );
     assert!(!table.contains('\u{1b}'), "colours in a pipe");
     let files = folder.files("made");
-    for name in ["results.json", "report.html"] {
+    for name in ["results.json", "results.csv", "report.html"] {
         assert!(
             files.contains(&Path::new("made/here").join(name)),
             "{files:?}"
@@ -239,7 +239,7 @@ fn bench_leaves_whole_files_under_their_names() {
     }
     for file in &files {
         let name = file.file_name().unwrap().to_string_lossy();
-        let whole = ["json", "html", "png", "exr"]
+        let whole = ["json", "csv", "html", "png", "exr"]
             .iter()
             .any(|e| name.ends_with(e));
         assert!(whole && !name.starts_with('.'), "{file:?} is left behind");
@@ -290,6 +290,8 @@ const REFUSED: &[(&str, &[&str])] = &[
         &["missing.hdr"],
     ),
     ("compare a.exr b.exr", &["a.exr"]),
+    ("report missing", &["missing", "bench --out"]),
+    ("bench furnace --tev=localhost:1", &["localhost:1", "--tev"]),
     ("render furnace --estimator nothing", &["nothing"]),
     (
         "reference furnace --set samples=0 --samples 32",

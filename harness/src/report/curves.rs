@@ -1,7 +1,8 @@
 //! Curves over a parameter: what happens to error and time where runs differ in nothing else.
 
 use super::ReportError;
-use super::plot::{Axis, Chart, Failure, Ink, Mark, Numbered, draw};
+use super::mark::{Mark, Numbered};
+use super::plot::{Axis, Chart, Failure, Ink, draw};
 use crate::record::{Comparison, ParamMap, ParamValue, Run, Verdict};
 use plotters::prelude::*;
 use serde::Serialize;

@@ -8,6 +8,7 @@
 mod command;
 mod curves;
 mod folder;
+mod mark;
 mod names;
 mod page;
 mod pareto;

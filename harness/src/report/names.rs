@@ -1,6 +1,7 @@
 //! What runs are called: by number, by method, and by what tells a method's runs apart.
 
-use super::plot::{HUES, Numbered};
+use super::mark::Numbered;
+use super::plot::HUES;
 use crate::record::Run;
 
 /// All runs of a report, named; in their order.

@@ -1,7 +1,8 @@
 //! The trade itself: time of a frame against error, both logarithmic, and what no other run betters.
 
 use super::ReportError;
-use super::plot::{Axis, Chart, Failure, Ink, Mark, Numbered, draw, frame_interval_ms};
+use super::mark::{Mark, Numbered, frame_interval_ms};
+use super::plot::{Axis, Chart, Failure, Ink, draw};
 use crate::record::{Backend, Comparison, Verdict};
 use plotters::prelude::*;
 use serde::Serialize;

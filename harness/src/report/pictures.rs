@@ -1,7 +1,7 @@
 //! The images: small ones in a table of scenes and methods, and the pixels of all for the viewer.
 
+use super::mark::Numbered;
 use super::pixels::{packed, packed_mask};
-use super::plot::Numbered;
 use super::{ImageRow, LabelledImage, Report, ReportError, names};
 use crate::format;
 use crate::metrics::EPSILON_FRACTION;

@@ -1,7 +1,7 @@
 //! The tables: runs by scene and quantity.
 
 use super::command::BenchCommand;
-use super::plot::Numbered;
+use super::mark::Numbered;
 use super::table::Table;
 use super::{Report, ReportError, curves, names, pareto};
 use crate::{

@@ -2,12 +2,19 @@
 
 const narrow = matchMedia("(max-width: 1099px)");
 
+// Browsers take only so many changes of the address in a time.
+const SETTLE_MS = 150;
+let settling = 0;
+
 function markShown(picture) {
   for (const node of document.querySelectorAll("[aria-current]")) node.removeAttribute("aria-current");
   for (const node of document.querySelectorAll("tr.shown")) node.classList.remove("shown");
   for (const node of document.querySelectorAll(`main a[href="#${picture.id}"]`)) node.setAttribute("aria-current", "true");
   document.getElementById(picture.id)?.classList.add("shown");
-  if (location.hash !== `#${picture.id}`) history.replaceState(null, "", `#${picture.id}`);
+  clearTimeout(settling);
+  settling = setTimeout(() => {
+    if (location.hash !== `#${picture.id}`) history.replaceState(null, "", `#${picture.id}`);
+  }, SETTLE_MS);
 }
 
 function openLinked(viewer, event) {
