@@ -117,7 +117,9 @@ impl<'a> Campaign<'a> {
             if setup.run.threads > 0 && setup.run.threads as usize != cx.threads() {
                 cx = self.lab.cpu_on(setup.run.threads as usize)?;
             }
-            let scene = self.lab.scene(&setup.source, &plan.scene_options, &setup.settings)?;
+            let scene = self
+                .lab
+                .scene(&setup.source, &plan.scene_options, &setup.settings)?;
             let hash = scene.digest();
             let mut opened = None;
             for &quantity in &plan.quantities {
@@ -150,7 +152,14 @@ impl<'a> Campaign<'a> {
             self.next += 1;
             let of_task = task.digest(quantity);
             let run = (setup.run.points, setup.run.threads);
-            let key = digest(&(&self.settings.program, hash, run, budget, self.lab.seed, of_task));
+            let key = digest(&(
+                &self.settings.program,
+                hash,
+                run,
+                budget,
+                self.lab.seed,
+                of_task,
+            ));
             if self.settings.shard.has(at) && !self.journal.has(&key, at) {
                 todo.push(Todo { task, at, key });
             }
@@ -161,7 +170,9 @@ impl<'a> Campaign<'a> {
     fn open<'c>(&self, setup: &Setup, cx: &'c CpuCx) -> Result<Opened<'c>, HarnessError> {
         let gpu = self.plan.backends.contains(&Backend::Gpu);
         let options = &self.plan.scene_options;
-        let loaded = self.lab.load(&setup.source, options, &setup.settings, gpu)?;
+        let loaded = self
+            .lab
+            .load(&setup.source, options, &setup.settings, gpu)?;
         let camera = loaded.cpu.scene().camera;
         let count = setup.run.points as usize;
         let view = cx.install(|| View::of_about(&loaded.cpu, &camera, count))?;
@@ -172,7 +183,10 @@ impl<'a> Campaign<'a> {
         })
     }
 
-    #[allow(clippy::too_many_arguments, reason = "a cell is where everything meets")]
+    #[allow(
+        clippy::too_many_arguments,
+        reason = "a cell is where everything meets"
+    )]
     fn cell(
         &mut self,
         setup: &Setup,
@@ -208,7 +222,8 @@ impl<'a> Campaign<'a> {
             machine: self.lab.machine().id(),
         };
         let view = &opened.view;
-        self.gallery.begin(&setup.name, quantity, view, cell.references.truth())?;
+        self.gallery
+            .begin(&setup.name, quantity, view, cell.references.truth())?;
         for Todo { task, at, key } in todo {
             bar.set_message(task.label());
             let suffix = self.suffix(&task, &key);
@@ -244,7 +259,13 @@ impl<'a> Campaign<'a> {
             let found = values.iter().find(|(field, _)| field.name == axis.name);
             found.map(|(field, value)| format!("-{}={value}", field.name))
         };
-        let varied: String = self.settings.axes.iter().filter(own).filter_map(value).collect();
+        let varied: String = self
+            .settings
+            .axes
+            .iter()
+            .filter(own)
+            .filter_map(value)
+            .collect();
         match self.settings.axes.is_empty() {
             true => varied,
             // A folder may hold what other sweeps left.
@@ -281,7 +302,10 @@ impl<'a> Campaign<'a> {
 /// Digest of the program that runs: another build may give other results.
 pub(crate) fn program() -> String {
     let executable = std::env::current_exe().and_then(std::fs::read);
-    executable.map_or_else(|why| why.to_string(), |bytes| interreflect_scene::digest_of_bytes(&bytes))
+    executable.map_or_else(
+        |why| why.to_string(),
+        |bytes| interreflect_scene::digest_of_bytes(&bytes),
+    )
 }
 
 impl Results {

@@ -3,18 +3,18 @@
 mod bench;
 mod options;
 mod render;
+mod report;
 mod sweep;
 mod sweep_file;
-mod report;
 mod values;
 mod verify;
 
 pub use bench::{Bench, What};
 pub use options::{Backends, ReferenceBudget, RunOptions, SceneOptions, TimingOptions};
 pub use render::{Render, Show};
+pub use report::{ReportCommand, TevOption};
 pub use sweep::{Asked, Merge, Sweep};
 pub use sweep_file::expand;
-pub use report::{ReportCommand, TevOption};
 pub use values::{MaterialArg, Setting};
 pub use verify::Verify;
 

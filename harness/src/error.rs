@@ -1,5 +1,6 @@
 //! What can go wrong, and with which exit code the program ends.
 
+use crate::campaign::JournalError;
 use crate::output::{OutputError, TevError};
 use crate::report::ReportError;
 use interreflect_cpu::scene::CpuError;
@@ -73,11 +74,10 @@ pub enum HarnessError {
     },
     /// Images can't be shown in tev.
     #[error(transparent)]
-    Tev(#[from] crate::output::TevError),
+    Tev(#[from] TevError),
     /// The journal of a sweep can't be used.
     #[error(transparent)]
-    Journal(#[from] crate::campaign::JournalError),
-    Tev(#[from] TevError),
+    Journal(#[from] JournalError),
     /// The report can't be made.
     #[error(transparent)]
     Report(#[from] ReportError),

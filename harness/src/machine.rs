@@ -91,7 +91,13 @@ impl Machine {
 
     /// A short name for the machine, adapter and threads that times are of.
     pub fn id(&self) -> String {
-        let of = (&self.cpu, self.threads, &self.instruction_set, &self.adapter, &self.driver);
+        let of = (
+            &self.cpu,
+            self.threads,
+            &self.instruction_set,
+            &self.adapter,
+            &self.driver,
+        );
         digest(&(of, &self.platform, &self.versions))[..8].to_owned()
     }
 

@@ -78,8 +78,17 @@ impl<'a> References<'a> {
     }
 
     fn evaluated(&self, model: OwnModel) -> ModelValues {
-        let key = digest(&(model, self.quantity, self.points.len(), self.stop, self.seed));
-        let kept = self.cache.as_ref().and_then(|c| c.get(&key, self.points.len()));
+        let key = digest(&(
+            model,
+            self.quantity,
+            self.points.len(),
+            self.stop,
+            self.seed,
+        ));
+        let kept = self
+            .cache
+            .as_ref()
+            .and_then(|c| c.get(&key, self.points.len()));
         kept.unwrap_or_else(|| {
             let values = evaluate(
                 self.cx,

@@ -18,7 +18,10 @@ const SWEEP: &str = "sweep colored-room --vary polygon_form_factor.resolution=2.
 
 fn main() -> ExitCode {
     let arguments = Arguments::from_args();
-    let parallel = Command::new("parallel").arg("--version").stdout(Stdio::null()).status();
+    let parallel = Command::new("parallel")
+        .arg("--version")
+        .stdout(Stdio::null())
+        .status();
     let required = std::env::var_os("INTERREFLECT_REQUIRE_PARALLEL").is_some();
     let missing = parallel.is_err() && !required;
     if missing {
@@ -43,7 +46,11 @@ fn program() -> Command {
 
 /// The JSON of a command that succeeds.
 fn json(words: &str, out: &Path) -> Result<Value, Failed> {
-    let output = program().args(words.split_whitespace()).arg("--out").arg(out).output()?;
+    let output = program()
+        .args(words.split_whitespace())
+        .arg("--out")
+        .arg(out)
+        .output()?;
     let complaint = String::from_utf8_lossy(&output.stderr);
     if !output.status.success() {
         return Err(format!("{}: {complaint}", output.status).into());
@@ -53,7 +60,14 @@ fn json(words: &str, out: &Path) -> Result<Value, Failed> {
 
 /// Without what is measured and not computed: times, and what follows from them.
 fn untimed(mut json: Value) -> Value {
-    for name in ["pareto", "fronts", "equal_time", "equal_error", "floors", "advice"] {
+    for name in [
+        "pareto",
+        "fronts",
+        "equal_time",
+        "equal_error",
+        "floors",
+        "advice",
+    ] {
         json.as_object_mut().unwrap().remove(name);
     }
     for kind in ["records", "baselines"] {
@@ -81,8 +95,12 @@ fn printed() -> Result<(), Failed> {
     for index in indices {
         let member = &records(&json)[index.as_u64().unwrap() as usize];
         let beaten = |other: &&Value| {
-            let (time, error) = (frame_ms(other) - frame_ms(member), relmse(other) - relmse(member));
-            let alike = (&other["scene"], &other["quantity"]) == (&member["scene"], &member["quantity"]);
+            let (time, error) = (
+                frame_ms(other) - frame_ms(member),
+                relmse(other) - relmse(member),
+            );
+            let alike =
+                (&other["scene"], &other["quantity"]) == (&member["scene"], &member["quantity"]);
             alike && time <= 0.0 && error <= 0.0 && (time < 0.0 || error < 0.0)
         };
         assert!(records(&json).iter().find(beaten).is_none(), "{member}");
@@ -95,13 +113,20 @@ fn printed() -> Result<(), Failed> {
         let parts = split["parts"].as_array().unwrap().iter();
         let sum: f64 = parts.map(|p| p["mean"].as_f64().unwrap()).sum();
         let same = |r: &&Value| {
-            ["estimator", "fidelity", "quantity", "params"].iter().all(|n| r[*n] == split[*n])
+            ["estimator", "fidelity", "quantity", "params"]
+                .iter()
+                .all(|n| r[*n] == split[*n])
         };
         let run = records(&json).iter().find(same).unwrap();
         let energy = run["truth"]["energy_ratio"].as_f64().unwrap();
         assert!((1.0 + sum - energy).abs() < 1e-5, "{sum} {energy}");
     }
-    for file in ["results.json", "results.csv", "report.html", "journal.jsonl"] {
+    for file in [
+        "results.json",
+        "results.csv",
+        "report.html",
+        "journal.jsonl",
+    ] {
         assert!(out.path().join(file).is_file(), "{file}");
     }
     Ok(())
@@ -158,7 +183,10 @@ fn parts() -> Result<(), Failed> {
     let at = |name: &str| folder.path().join(name);
     let whole = json(SWEEP, &at("whole"))?;
     for part in 1..=3 {
-        json(&format!("{SWEEP} --shard {part}/3"), &at(&format!("part{part}")))?;
+        json(
+            &format!("{SWEEP} --shard {part}/3"),
+            &at(&format!("part{part}")),
+        )?;
     }
     merged_is(&whole, folder.path())
 }
@@ -205,7 +233,10 @@ fn file() -> Result<(), Failed> {
         let json = untimed(json);
         let mut records: Vec<String> = records(&json).iter().map(Value::to_string).collect();
         records.sort();
-        records.into_iter().map(|r| r.replace(char::is_numeric, "")).collect::<Vec<_>>()
+        records
+            .into_iter()
+            .map(|r| r.replace(char::is_numeric, ""))
+            .collect::<Vec<_>>()
     };
     assert_eq!(sorted(by_file).len(), sorted(by_words).len());
     Ok(())
@@ -217,15 +248,24 @@ fn axes() -> Result<(), Failed> {
          --quantity irradiance --vary scene.receiver.gap=.2,.05 --set scene.receiver.place=wall \
          --vary run.points=30..60:log2 --vary run.threads=1,2 --backend cpu --samples 32 --repeat 1 --json";
     let json = json(words, out.path())?;
-    let names: Vec<&str> = records(&json).iter().map(|r| r["scene"].as_str().unwrap()).collect();
+    let names: Vec<&str> = records(&json)
+        .iter()
+        .map(|r| r["scene"].as_str().unwrap())
+        .collect();
     assert_eq!(names.len(), 8, "{names:?}");
-    assert_eq!(names[0], "colored-room+receiver.gap=.2+run.points=30+run.threads=1");
+    assert_eq!(
+        names[0],
+        "colored-room+receiver.gap=.2+run.points=30+run.threads=1"
+    );
     let settings = &records(&json)[7]["settings"];
     assert_eq!(settings["run.points"], 60);
     assert_eq!(settings["run.threads"], 2);
     assert!((settings["scene.receiver.gap"].as_f64().unwrap() - 0.05).abs() < 1e-6);
     // The same scene on one thread and on two: another time, the same estimate.
-    assert_eq!(records(&json)[0]["truth"]["relmse"], records(&json)[1]["truth"]["relmse"]);
+    assert_eq!(
+        records(&json)[0]["truth"]["relmse"],
+        records(&json)[1]["truth"]["relmse"]
+    );
     Ok(())
 }
 
@@ -237,7 +277,12 @@ fn budgets() -> Result<(), Failed> {
     };
     for answer in answers("--budget-ms 100000")? {
         assert_eq!(answer["answer"]["kind"], "use", "{answer}");
-        assert!(answer["answer"]["choice"]["options"].as_str().unwrap().contains("--set"));
+        assert!(
+            answer["answer"]["choice"]["options"]
+                .as_str()
+                .unwrap()
+                .contains("--set")
+        );
     }
     for answer in answers("--max-error 1e-12")? {
         assert_eq!(answer["answer"]["kind"], "nothing", "{answer}");
@@ -248,20 +293,42 @@ fn budgets() -> Result<(), Failed> {
 fn slips() -> Result<(), Failed> {
     let out = TempDir::new()?;
     let refused = |words: &str, told: &str| -> Result<(), Failed> {
-        let output = program().args(words.split_whitespace()).arg("--out").arg(out.path()).output()?;
+        let output = program()
+            .args(words.split_whitespace())
+            .arg("--out")
+            .arg(out.path())
+            .output()?;
         let complaint = String::from_utf8_lossy(&output.stderr).into_owned();
         assert_eq!(output.status.code(), Some(2), "{words}: {complaint}");
-        assert!(complaint.contains(told) && complaint.trim_end().lines().count() == 1, "{words}: {complaint}");
+        assert!(
+            complaint.contains(told) && complaint.trim_end().lines().count() == 1,
+            "{words}: {complaint}"
+        );
         Ok(())
     };
     let room = "sweep colored-room --backend cpu --json --vary";
-    refused(&format!("{room} localized_cubemap.resolutoin=2"), "resolution")?;
-    refused(&format!("{room} localised_cubemap.resolution=2"), "localized_cubemap")?;
+    refused(
+        &format!("{room} localized_cubemap.resolutoin=2"),
+        "resolution",
+    )?;
+    refused(
+        &format!("{room} localised_cubemap.resolution=2"),
+        "localized_cubemap",
+    )?;
     refused(&format!("{room} localized_cubemap.resolution=8..2"), "2..8")?;
-    refused(&format!("{room} localized_cubemap.resolution=2..4000:log2"), "4000")?;
+    refused(
+        &format!("{room} localized_cubemap.resolution=2..4000:log2"),
+        "4000",
+    )?;
     refused(&format!("{room} scene.recever.gap=.1"), "receiver.gap")?;
     refused(&format!("{room} run.point=8"), "points")?;
-    refused(&format!("{room} localized_cubemap.resolution=2 --shard 3/2"), "i/n")?;
-    refused("sweep nowhere --backend cpu --json --vary localized_cubemap.resolution=2", "nowhere")?;
+    refused(
+        &format!("{room} localized_cubemap.resolution=2 --shard 3/2"),
+        "i/n",
+    )?;
+    refused(
+        "sweep nowhere --backend cpu --json --vary localized_cubemap.resolution=2",
+        "nowhere",
+    )?;
     refused("merge /nowhere/part1 --json", "/nowhere/part1")
 }

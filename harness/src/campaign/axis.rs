@@ -91,19 +91,29 @@ fn range(first: &str, rest: &str) -> Result<Vec<String>, String> {
 /// As many values at equal distances.
 fn counted(first: f64, last: f64, count: f64) -> Result<Vec<f64>, String> {
     if count.fract() != 0.0 {
-        return Err(format!("{first}..{last} goes by ones and does not end at {last}; say how many values, as in {first}..{last}:5"));
+        return Err(format!(
+            "{first}..{last} goes by ones and does not end at {last}; say how many values, as in {first}..{last}:5"
+        ));
     }
     if count > MOST as f64 {
         return Err(format!("{count} values are more than {MOST}"));
     }
-    let step = if count > 1.0 { (last - first) / (count - 1.0) } else { 0.0 };
-    Ok((0..count as u32).map(|i| first + step * f64::from(i)).collect())
+    let step = if count > 1.0 {
+        (last - first) / (count - 1.0)
+    } else {
+        0.0
+    };
+    Ok((0..count as u32)
+        .map(|i| first + step * f64::from(i))
+        .collect())
 }
 
 /// The first value times the powers of a base, up to the last.
 fn powers(first: f64, last: f64, base: f64) -> Result<Vec<f64>, String> {
     if first <= 0.0 {
-        return Err(format!("a logarithmic range begins above 0, not at {first}"));
+        return Err(format!(
+            "a logarithmic range begins above 0, not at {first}"
+        ));
     }
     let values = std::iter::successors(Some(first), |v| Some(v * base));
     // Decimal ends such as .001..10 are met in spite of rounding.
@@ -128,7 +138,10 @@ mod tests {
     fn values_are_lists_or_ranges() {
         assert_eq!(values("2..32:log2"), ["2", "4", "8", "16", "32"]);
         assert_eq!(values("3..20:log2"), ["3", "6", "12"]);
-        assert_eq!(values(".001..10:log10"), ["0.001", "0.01", "0.1", "1", "10"]);
+        assert_eq!(
+            values(".001..10:log10"),
+            ["0.001", "0.01", "0.1", "1", "10"]
+        );
         assert_eq!(values("0..1:5"), ["0", "0.25", "0.5", "0.75", "1"]);
         assert_eq!(values("2..5"), ["2", "3", "4", "5"]);
         assert_eq!(values("-1..1:3"), ["-1", "0", "1"]);

@@ -1,8 +1,8 @@
 //! One scene and one quantity: what is measured there, against references that are computed once.
 
+use super::journal::Done;
 use super::plan::Setup;
 use super::tasks::Task;
-use super::journal::Done;
 use crate::clock::{Pulse, Sampling};
 use crate::error::HarnessError;
 use crate::gallery::Gallery;
@@ -80,7 +80,9 @@ impl Cell<'_> {
         image: Option<(&Gallery, String)>,
     ) -> (Run, Option<String>) {
         let mut run = self.record(method, backend);
-        let measured = self.stages.measure(backend, method, self.quantity, &self.points, &self.sampling);
+        let measured =
+            self.stages
+                .measure(backend, method, self.quantity, &self.points, &self.sampling);
         let timed = match measured {
             Ok(timed) => timed,
             Err(why) => {
@@ -106,7 +108,9 @@ impl Cell<'_> {
         run.bytes = Some(timed.measured.bytes);
         run.software = timed.software;
         run.slowed = pulse.slowed();
-        let shown = image.map_or(Ok(()), |(gallery, name)| gallery.add(&name, &mut run, self.view, estimate));
+        let shown = image.map_or(Ok(()), |(gallery, name)| {
+            gallery.add(&name, &mut run, self.view, estimate)
+        });
         let failure = shown.err().map(|why| why.to_string());
         (run, failure)
     }
@@ -144,7 +148,11 @@ impl Cell<'_> {
     /// A split without parts: the method can't run here, as its run says.
     fn without_split(&self, method: &dyn Configured, why: HarnessError) -> Outcome {
         let (reason, failed) = skip_reason(why);
-        let label = format!("the error of {} in {}: {reason}", method.info().id, self.name);
+        let label = format!(
+            "the error of {} in {}: {reason}",
+            method.info().id,
+            self.name
+        );
         Outcome {
             done: Done::Split(Box::new(self.no_split(method))),
             failure: failed.then_some(label),
@@ -164,7 +172,14 @@ impl Cell<'_> {
         };
         let scene = self.scene.scene();
         let captures = captured(&stage, scene, method, self.quantity)?;
-        Ok(estimated(&stage, scene, method, self.quantity, &captures, &self.points)?)
+        Ok(estimated(
+            &stage,
+            scene,
+            method,
+            self.quantity,
+            &captures,
+            &self.points,
+        )?)
     }
 
     /// An estimate on the GPU; `None` where it can't be had there.
@@ -173,7 +188,10 @@ impl Cell<'_> {
         method: &dyn Configured,
     ) -> Result<Option<Estimate>, HarnessError> {
         let once = Sampling::ONCE;
-        match self.stages.measure(Backend::Gpu, method, self.quantity, &self.points, &once) {
+        match self
+            .stages
+            .measure(Backend::Gpu, method, self.quantity, &self.points, &once)
+        {
             Ok(timed) => Ok(Some(timed.measured.estimate)),
             Err(why) => match skip_reason(why) {
                 (_, false) => Ok(None),

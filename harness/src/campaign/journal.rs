@@ -70,7 +70,12 @@ impl Journal {
             source,
         };
         fs::create_dir_all(folder).map_err(refused)?;
-        let open = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(&path);
+        let open = OpenOptions::new()
+            .read(true)
+            .write(true)
+            .create(true)
+            .truncate(false)
+            .open(&path);
         let mut file = open.map_err(refused)?;
         match file.try_lock() {
             Ok(()) => {}
@@ -92,10 +97,16 @@ impl Journal {
     pub(crate) fn entries_of(folder: &Path) -> Result<(Vec<Entry>, Vec<Machine>), JournalError> {
         let path = folder.join(NAME);
         let open = File::open(&path);
-        let mut file = open.map_err(|source| JournalError::Read { path: path.clone(), source })?;
+        let mut file = open.map_err(|source| JournalError::Read {
+            path: path.clone(),
+            source,
+        })?;
         let mut text = String::new();
         let read = file.read_to_string(&mut text);
-        read.map_err(|source| JournalError::Read { path: path.clone(), source })?;
+        read.map_err(|source| JournalError::Read {
+            path: path.clone(),
+            source,
+        })?;
         let (mut entries, mut machines) = (Vec::new(), Vec::new());
         for line in lines(&path, &text)? {
             match line {
@@ -110,8 +121,14 @@ impl Journal {
     fn read(&mut self, path: &Path, file: &mut File) -> Result<u64, JournalError> {
         let mut bytes = Vec::new();
         let read = file.read_to_end(&mut bytes);
-        read.map_err(|source| JournalError::Read { path: path.into(), source })?;
-        let whole = bytes.iter().rposition(|b| *b == b'\n').map_or(0, |at| at + 1);
+        read.map_err(|source| JournalError::Read {
+            path: path.into(),
+            source,
+        })?;
+        let whole = bytes
+            .iter()
+            .rposition(|b| *b == b'\n')
+            .map_or(0, |at| at + 1);
         let text = String::from_utf8_lossy(&bytes[..whole]);
         for line in lines(path, &text)? {
             match line {
@@ -185,10 +202,12 @@ impl Journal {
         let Some((path, file)) = &mut self.file else {
             return Ok(());
         };
-        let written = serde_json::to_string(line).map_err(io::Error::from).and_then(|text| {
-            file.write_all((text + "\n").as_bytes())?;
-            file.sync_data()
-        });
+        let written = serde_json::to_string(line)
+            .map_err(io::Error::from)
+            .and_then(|text| {
+                file.write_all((text + "\n").as_bytes())?;
+                file.sync_data()
+            });
         Ok(written.map_err(|source| OutputError::Write {
             path: path.clone(),
             source,
@@ -266,8 +285,16 @@ mod tests {
         drop(journal);
         let whole = fs::read(&path).expect("the file");
         // Wherever the last line breaks off, the two before it are kept, and the next is written whole.
-        let second_ends = whole[..whole.len() - 1].iter().rposition(|b| *b == b'\n').expect("lines");
-        for end in [second_ends + 1, second_ends + 2, whole.len() - 40, whole.len() - 1] {
+        let second_ends = whole[..whole.len() - 1]
+            .iter()
+            .rposition(|b| *b == b'\n')
+            .expect("lines");
+        for end in [
+            second_ends + 1,
+            second_ends + 2,
+            whole.len() - 40,
+            whole.len() - 1,
+        ] {
             fs::write(&path, &whole[..end]).expect("written");
             let mut journal = Journal::open(folder.path())?;
             assert!(journal.has("key0", 0) && journal.has("key1", 1) && !journal.has("key2", 2));
@@ -282,11 +309,20 @@ mod tests {
     fn a_damaged_line_is_named_and_a_second_writer_refused() -> Result<(), JournalError> {
         let folder = tempfile::tempdir().expect("a folder");
         let journal = Journal::open(folder.path())?;
-        assert!(matches!(Journal::open(folder.path()), Err(JournalError::InUse { .. })));
+        assert!(matches!(
+            Journal::open(folder.path()),
+            Err(JournalError::InUse { .. })
+        ));
         drop(journal);
         fs::write(folder.path().join(NAME), "{\"machine\":3}\n{}\n").expect("written");
-        let error = Journal::open(folder.path()).err().expect("an error").to_string();
-        assert!(error.contains("journal.jsonl, line 1") && error.contains("delete"), "{error}");
+        let error = Journal::open(folder.path())
+            .err()
+            .expect("an error")
+            .to_string();
+        assert!(
+            error.contains("journal.jsonl, line 1") && error.contains("delete"),
+            "{error}"
+        );
         Ok(())
     }
 }

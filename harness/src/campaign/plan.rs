@@ -6,8 +6,8 @@ use crate::cli::{SceneOptions, Setting, What};
 use crate::error::HarnessError;
 use crate::lab::{Lab, SCENE};
 use crate::record::{Backend, ParamMap, ParamValue};
-use interreflect_gpu::GpuError;
 use interreflect_estimators::{Configured, OwnModel, Quantity};
+use interreflect_gpu::GpuError;
 use interreflect_scene::params::{Choice, FIDELITY};
 use std::collections::BTreeSet;
 
@@ -69,7 +69,9 @@ impl Plan {
     /// truth would be compared with itself.
     pub(crate) fn methods_for(&self, quantity: Quantity) -> Vec<&dyn Configured> {
         let offered = self.methods.iter().map(|m| &**m);
-        let offered: Vec<_> = offered.filter(|m| m.quantities().contains(&quantity)).collect();
+        let offered: Vec<_> = offered
+            .filter(|m| m.quantities().contains(&quantity))
+            .collect();
         let mut models = offered.iter().map(|m| m.model(quantity));
         match self.unasked && models.all(|m| matches!(m, OwnModel::LightTransport(_))) {
             true => Vec::new(),
@@ -102,7 +104,10 @@ const RUN: &str = "run";
 
 fn check_axes(axes: &[Axis]) -> Result<(), HarnessError> {
     for (i, axis) in axes.iter().enumerate() {
-        if axes[..i].iter().any(|a| (&a.owner, &a.name) == (&axis.owner, &axis.name)) {
+        if axes[..i]
+            .iter()
+            .any(|a| (&a.owner, &a.name) == (&axis.owner, &axis.name))
+        {
             return Err(HarnessError::Usage(format!(
                 "--vary {}.{}: it varies already; give all its values at once",
                 axis.owner, axis.name
@@ -207,7 +212,8 @@ fn setups(
 /// A value as JSON would have it.
 fn value(text: &str) -> ParamValue {
     let name = || ParamValue::Name(text.into());
-    text.parse().map(ParamValue::U32)
+    text.parse()
+        .map(ParamValue::U32)
         .or_else(|_| text.parse().map(ParamValue::F32))
         .or_else(|_| text.parse().map(ParamValue::Bool))
         .unwrap_or_else(|_| name())

@@ -25,7 +25,8 @@ impl FromStr for Shard {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let parts = text.split_once('/');
-        let numbers = parts.and_then(|(i, n)| Some((i.trim().parse().ok()?, n.trim().parse().ok()?)));
+        let numbers =
+            parts.and_then(|(i, n)| Some((i.trim().parse().ok()?, n.trim().parse().ok()?)));
         match numbers {
             Some((part, count)) if (1..=count).contains(&part) => Ok(Self {
                 index: part - 1,
@@ -42,7 +43,9 @@ mod tests {
 
     #[test]
     fn every_task_is_in_one_part() {
-        let parts: Vec<Shard> = (1..=3).map(|i| format!("{i}/3").parse().expect("a part")).collect();
+        let parts: Vec<Shard> = (1..=3)
+            .map(|i| format!("{i}/3").parse().expect("a part"))
+            .collect();
         for task in 0..20 {
             assert_eq!(parts.iter().filter(|p| p.has(task)).count(), 1);
             assert!(Shard::WHOLE.has(task));

@@ -26,7 +26,10 @@ pub(super) fn left_out(model: OwnModel) -> Vec<(&'static str, OwnModel)> {
         let paths = traced(1 + bounces);
         vec![
             ("further bounces", OwnModel::LightTransport(paths)),
-            ("receivers as occluders and reflectors", OwnModel::LightTransport(alone(paths))),
+            (
+                "receivers as occluders and reflectors",
+                OwnModel::LightTransport(alone(paths)),
+            ),
         ]
     };
     let with = |mut steps: Vec<_>, last: &[(&'static str, OwnModel)]| {
@@ -34,15 +37,19 @@ pub(super) fn left_out(model: OwnModel) -> Vec<(&'static str, OwnModel)> {
         steps
     };
     match model {
-        OwnModel::VisibleFromReference { bounces } => {
-            with(as_captured(bounces), &[("occlusion by the surroundings", model)])
-        }
+        OwnModel::VisibleFromReference { bounces } => with(
+            as_captured(bounces),
+            &[("occlusion by the surroundings", model)],
+        ),
         OwnModel::EnvironmentAtInfinity { bounces } => {
             with(as_captured(bounces), &[("parallax", model)])
         }
         OwnModel::MeanRadiance { bounces } => {
             let infinite = OwnModel::EnvironmentAtInfinity { bounces };
-            with(as_captured(bounces), &[("parallax", infinite), ("direction", model)])
+            with(
+                as_captured(bounces),
+                &[("parallax", infinite), ("direction", model)],
+            )
         }
         OwnModel::FirstHitsOfLights { directional } => {
             let once = LightPaths {
@@ -52,7 +59,10 @@ pub(super) fn left_out(model: OwnModel) -> Vec<(&'static str, OwnModel)> {
             let mut steps = vec![
                 ("further bounces", OwnModel::LightTransport(traced(1))),
                 ("emission and environment", OwnModel::LightTransport(once)),
-                ("occlusion", OwnModel::FirstHitsOfLights { directional: true }),
+                (
+                    "occlusion",
+                    OwnModel::FirstHitsOfLights { directional: true },
+                ),
             ];
             if !directional {
                 steps.push(("gloss of lit surfaces", model));
@@ -85,7 +95,12 @@ impl Cell<'_> {
         sum.step("single precision", Some(Backend::Cpu), &host, None);
         if backends.contains(&Backend::Gpu) {
             if let Some(device) = self.estimate_on_gpu(method)? {
-                sum.step("the GPU instead of the CPU", Some(Backend::Gpu), &device, None);
+                sum.step(
+                    "the GPU instead of the CPU",
+                    Some(Backend::Gpu),
+                    &device,
+                    None,
+                );
             }
         }
         Ok(Split {

@@ -82,7 +82,11 @@ impl Task {
             Self::Floor(method) => ("floor", method, None),
             Self::Split(method) => ("split", method, None),
         };
-        let values: Vec<String> = method.values().iter().map(|(f, v)| format!("{}={v}", f.name)).collect();
+        let values: Vec<String> = method
+            .values()
+            .iter()
+            .map(|(f, v)| format!("{}={v}", f.name))
+            .collect();
         digest(&(kind, method.info().id, values, backend, quantity))
     }
 }
@@ -90,7 +94,8 @@ impl Task {
 /// The registered path tracer at several sample counts, with and without further bounces.
 fn baselines(lab: &Lab, quantity: Quantity) -> Result<Vec<Box<dyn Configured>>, HarnessError> {
     let tracer = lab.registry.entries().iter().map(|e| e.configure());
-    let traces = |m: &Box<dyn Configured>| m.quantities().contains(&quantity) && m.model(quantity) == TRUTH;
+    let traces =
+        |m: &Box<dyn Configured>| m.quantities().contains(&quantity) && m.model(quantity) == TRUTH;
     let Some(tracer) = tracer.into_iter().find(traces) else {
         return Ok(Vec::new());
     };
@@ -101,7 +106,10 @@ fn baselines(lab: &Lab, quantity: Quantity) -> Result<Vec<Box<dyn Configured>>, 
     let mut baselines = Vec::new();
     for bounces in limits {
         for samples in RAYS {
-            let settings = [("bounces", bounces.to_string()), ("samples", samples.to_string())];
+            let settings = [
+                ("bounces", bounces.to_string()),
+                ("samples", samples.to_string()),
+            ];
             baselines.push(lab.configured_with(tracer.boxed_clone(), &settings)?);
         }
     }

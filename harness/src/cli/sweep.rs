@@ -62,8 +62,10 @@ pub struct Asked {
 
 /// `interreflect merge`.
 #[derive(Clone, Debug, PartialEq, Args)]
-#[command(after_help = "Errors are put together; times of different machines stay apart, each with its \
-machine.\n\nExample:\n  interreflect merge part1 part2 part3 --out all")]
+#[command(
+    after_help = "Errors are put together; times of different machines stay apart, each with its \
+machine.\n\nExample:\n  interreflect merge part1 part2 part3 --out all"
+)]
 pub struct Merge {
     /// Folders of parts
     #[arg(value_name = "DIR", required = true)]

@@ -22,9 +22,16 @@ pub fn expand(arguments: Vec<OsString>) -> Result<Vec<OsString>, Stop> {
     let file = Path::new(&arguments[at]).display();
     let words = words.map_err(|why| Stop::Usage(format!("{file}: {why}")))?;
     let before = arguments[..2].iter().cloned();
-    let others = arguments.iter().enumerate().skip(2).filter(|(i, _)| *i != at);
+    let others = arguments
+        .iter()
+        .enumerate()
+        .skip(2)
+        .filter(|(i, _)| *i != at);
     let others = others.map(|(_, text)| text.clone());
-    Ok(before.chain(words.into_iter().map(Into::into)).chain(others).collect())
+    Ok(before
+        .chain(words.into_iter().map(Into::into))
+        .chain(others)
+        .collect())
 }
 
 /// Options that name files, and the scenes: relative to the sweep file, where such a file is there.
@@ -39,7 +46,11 @@ fn words(path: &Path) -> Option<Result<Vec<String>, String>> {
     let table = match text.parse::<Table>() {
         Ok(table) => table,
         // Whose fault it is, the scene loader tells, unless the text is clearly a sweep's.
-        Err(error) if text.lines().any(|line| line.trim_start().starts_with("scenes")) => {
+        Err(error)
+            if text
+                .lines()
+                .any(|line| line.trim_start().starts_with("scenes")) =>
+        {
             return Some(Err(error.to_string().trim_end().replace('\n', " ")));
         }
         Err(_) => return None,
@@ -94,7 +105,9 @@ fn plain(key: &str, value: &Value) -> Result<String, String> {
         Value::Integer(number) => Ok(number.to_string()),
         Value::Float(number) => Ok(number.to_string()),
         Value::Boolean(truth) => Ok(truth.to_string()),
-        _ => Err(format!("`{key}` takes texts and numbers, or a list of them")),
+        _ => Err(format!(
+            "`{key}` takes texts and numbers, or a list of them"
+        )),
     }
 }
 
@@ -141,12 +154,18 @@ mod tests {
 
     #[test]
     fn scenes_are_left_alone_and_slips_named() {
-        assert_eq!(expanded("name = \"x\"\n", &[]).expect("no sweep"), ["@study.toml"]);
+        assert_eq!(
+            expanded("name = \"x\"\n", &[]).expect("no sweep"),
+            ["@study.toml"]
+        );
         for text in ["scenes = [[1]]", "scenes = [", "scenes = [{a = 1}]"] {
             let Err(Stop::Usage(line)) = expanded(text, &[]) else {
                 panic!("{text}");
             };
-            assert!(line.contains("study.toml: ") && !line.contains('\n'), "{line}");
+            assert!(
+                line.contains("study.toml: ") && !line.contains('\n'),
+                "{line}"
+            );
         }
     }
 }

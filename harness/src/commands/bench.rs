@@ -1,13 +1,13 @@
 //! `bench`: estimators on scenes, timed and compared with what is true.
 
+use super::concluded::write;
 use super::{print_json, print_line};
 use crate::campaign::{Campaign, Journal, Plan, Settings, Shard};
 use crate::cli::Bench;
 use crate::error::HarnessError;
-use crate::gallery::{Gallery, write_pictures};
+use crate::gallery::Gallery;
 use crate::lab::Lab;
 use crate::output::{Header, ensure_writable, write_results};
-use crate::report::Report;
 use interreflect_estimators::Registry;
 use interreflect_scene::library::library;
 use std::path::PathBuf;
@@ -51,20 +51,16 @@ pub(super) fn run(
         None => Ok(()),
     })?;
     let results = campaign.results();
-    if let Some(folder) = &out {
-        let report = Report::of_folder(folder)?;
-        write_pictures(folder, &report.rows, &results.runs)?;
-        report.write(&folder.join("report.html"))?;
-        if let Some(tev) = &mut tev {
-            report.show_in(tev)?;
-        }
+    let written = out.map(|folder| write(&results, &folder)).transpose()?;
+    if let (Some((report, _)), Some(tev)) = (&written, &mut tev) {
+        report.show_in(tev)?;
     }
     if command.json {
         print_json(&results)?;
     } else {
         print_line(&crate::table::runs(&results.runs, None))?;
-        if let Some(folder) = &out {
-            print_line(&format!("{}", folder.join("report.html").display()))?;
+        if let Some((_, page)) = &written {
+            print_line(&page.display().to_string())?;
         }
     }
     campaign.failed(&results.runs)

@@ -10,7 +10,7 @@ use crate::record::{Comparison, Results, Run, Split};
 use crate::report::Report;
 use serde::Serialize;
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The JSON of a sweep.
 #[derive(Serialize)]
@@ -36,21 +36,17 @@ pub(super) fn conclude(
     asked: Asked,
     json: bool,
 ) -> Result<(), HarnessError> {
-    write_results(out, results)?;
-    let report = Report::of_folder(out)?;
-    write_pictures(out, &report.rows, &results.runs)?;
-    let page = out.join("report.html");
-    report.write(&page)?;
-    let (runs, baselines) = (by_machine(results, &results.runs), by_machine(results, &results.baselines));
-    let conclusions = Conclusions::of(&runs, &baselines, Metric::Truth);
+    let page = write(results, out)?.1;
+    let runs = &results.runs;
+    let conclusions = Conclusions::of(runs, &results.baselines, Metric::Truth);
     let advice = match asked == Asked::default() {
         true => Vec::new(),
-        false => advise(&runs, asked.budget()),
+        false => advise(runs, asked.budget()),
     };
     if json {
         return print_json(&Concluded {
-            records: &results.runs,
-            pareto: fronts(&runs),
+            records: runs,
+            pareto: fronts(runs),
             bias_floor: floors(results),
             baselines: &results.baselines,
             splits: &results.splits,
@@ -58,12 +54,22 @@ pub(super) fn conclude(
             advice,
         });
     }
-    print_line(&crate::table::runs(&results.runs, None))?;
+    print_line(&crate::table::runs(runs, None))?;
     print_line(&conclusions.words(None))?;
     if !advice.is_empty() {
         print_line(&advice_in_words(&advice))?;
     }
     print_line(&page.display().to_string())
+}
+
+/// Writes results, pictures and report into a folder that the images are in; the report and its file.
+pub(super) fn write(results: &Results, out: &Path) -> Result<(Report, PathBuf), HarnessError> {
+    write_results(out, results)?;
+    let report = Report::of_folder(out)?;
+    write_pictures(out, &report.rows, &results.runs)?;
+    let page = out.join("report.html");
+    report.write(&page)?;
+    Ok((report, page))
 }
 
 impl Asked {
@@ -74,20 +80,6 @@ impl Asked {
             metric: Metric::Truth,
         }
     }
-}
-
-/// Runs whose scenes are named with the machine, where several took part: times of one say nothing of
-/// another's.
-fn by_machine(results: &Results, runs: &[Run]) -> Vec<Run> {
-    let mut runs = runs.to_vec();
-    if !results.machines.is_empty() {
-        for run in &mut runs {
-            if let Some(machine) = &run.machine {
-                run.scene += &format!(" on {machine}");
-            }
-        }
-    }
-    runs
 }
 
 /// The floors by scene, quantity and estimator; by model too, where an estimator has several.

@@ -13,25 +13,29 @@ use std::fs;
 use std::path::Path;
 
 pub(super) fn run(command: &Merge, command_line: &str) -> Result<(), HarnessError> {
-    let mut entries: BTreeMap<(usize, Option<String>), Entry> = BTreeMap::new();
+    let mut parts = Vec::new();
     let mut machines: Vec<Machine> = Vec::new();
     let mut of_first = None;
-    ensure_writable(&command.out)?;
     for part in &command.parts {
-        let (of_part, on) = Journal::entries_of(part)?;
+        let (entries, on) = Journal::entries_of(part)?;
         let results = read_results(part)?;
         of_first.get_or_insert((results.machine, results.seed));
-        machines.extend(on.into_iter().filter(|m| !machines.contains(m)).collect::<Vec<_>>());
-        for entry in of_part {
-            if let Done::Run(run) = &entry.done {
+        for machine in on {
+            if !machines.contains(&machine) {
+                machines.push(machine);
+            }
+        }
+        parts.push((part, entries));
+    }
+    ensure_writable(&command.out)?;
+    let mut whole: BTreeMap<(usize, Option<String>), Done> = BTreeMap::new();
+    for (part, entries) in parts {
+        for Entry { at, mut done, .. } in entries {
+            let machine = machine_of(&mut done, machines.len() > 1);
+            if let Done::Run(run) = &done {
                 copy_images(part, &command.out, run)?;
             }
-            // What is computed is the same wherever it was; times are of their machine.
-            let machine = match &entry.done {
-                Done::Run(run) | Done::Baseline(run) => run.machine.clone(),
-                Done::Floor(_) | Done::Split(_) => None,
-            };
-            entries.entry((entry.at, machine)).or_insert(entry);
+            whole.entry((at, machine)).or_insert(done);
         }
     }
     let (machine, seed) = of_first.unwrap_or_default();
@@ -41,27 +45,41 @@ pub(super) fn run(command: &Merge, command_line: &str) -> Result<(), HarnessErro
         command: command_line.into(),
         ..Results::default()
     };
-    results.take(entries.values().map(|e| &e.done));
+    results.take(whole.values());
     results.of_machines(&machines);
     conclude(&results, &command.out, command.asked, command.json)
 }
 
-/// The image of a run and the truth that belongs to it.
+/// The machine whose times a result has: what is computed is the same wherever it was. Among `several`, the
+/// scene is named with it, so that times of one are never held against another's.
+fn machine_of(done: &mut Done, several: bool) -> Option<String> {
+    let (Done::Run(run) | Done::Baseline(run)) = done else {
+        return None;
+    };
+    let machine = run.machine.clone();
+    if let (true, Some(machine)) = (several, &machine) {
+        run.scene += &format!(" on {machine}");
+    }
+    machine
+}
+
+/// The image of a run, and the truth that belongs to it.
 fn copy_images(from: &Path, to: &Path, run: &Run) -> Result<(), HarnessError> {
     let Some(image) = &run.image else {
         return Ok(());
     };
-    let truth = format!("{}/{TRUTH}", folder_of(&run.scene, &run.quantity));
-    for file in [image, &truth] {
-        let (from, to) = (from.join(file), to.join(file));
-        if to.exists() {
+    let truth = Path::new(image).with_file_name(TRUTH);
+    let shown = Path::new(&folder_of(&run.scene, &run.quantity)).join(TRUTH);
+    for (old, new) in [(Path::new(image), Path::new(image)), (&truth, &shown)] {
+        let (old, new) = (from.join(old), to.join(new));
+        if new.exists() {
             continue;
         }
-        let bytes = fs::read(&from).map_err(|source| OutputError::Read {
-            path: from.clone(),
+        let bytes = fs::read(&old).map_err(|source| OutputError::Read {
+            path: old.clone(),
             reason: source.to_string(),
         })?;
-        write_atomically(&to, &bytes)?;
+        write_atomically(&new, &bytes)?;
     }
     Ok(())
 }

@@ -39,7 +39,9 @@ pub(super) fn run(
     let others = campaign.journal.others();
     if others > 0 {
         let folder = command.out.display();
-        eprintln!("note: {folder} holds {others} results of other sweeps or builds; they are left out");
+        eprintln!(
+            "note: {folder} holds {others} results of other sweeps or builds; they are left out"
+        );
     }
     let results = campaign.results();
     conclude(&results, &command.out, command.asked, command.json)?;

@@ -15,10 +15,12 @@ mod baseline;
 mod candidate;
 mod equal;
 mod floor;
+mod left_out;
 mod metric;
 mod pareto;
 mod place;
 mod series;
+mod sheets;
 mod words;
 
 pub use advice::{Advice, Answer, Budget, advise};
@@ -26,9 +28,11 @@ pub use baseline::{Baseline, Interpolated};
 pub use candidate::{Choice, FrameTime};
 pub use equal::{Cell, Contestant, Numbers, Question, Row, Table, equal_error, equal_time};
 pub use floor::{Floor, floors};
+pub use left_out::{bias_floors, splits};
 pub use metric::{Measured, Metric};
 pub use pareto::{Front, Standing, fronts, pareto};
 pub use place::Place;
+pub use sheets::Sheet;
 pub use words::advice_in_words;
 
 use crate::record::Run;

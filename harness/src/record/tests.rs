@@ -25,7 +25,9 @@ fn run() -> Run {
     Run {
         scene: "colored-room".into(),
         scene_hash: Some("5ce9e".into()),
-        settings: [("scene.receiver.gap", Value::F32(0.05))].into_iter().collect(),
+        settings: [("scene.receiver.gap", Value::F32(0.05))]
+            .into_iter()
+            .collect(),
         machine: None,
         estimator: "localized_cubemap".into(),
         backend: Backend::Gpu,

@@ -20,6 +20,7 @@ mod table;
 
 pub use table::{Table, Tables};
 
+use crate::conclude::{Conclusions, Metric, bias_floors, splits};
 use crate::{
     machine::Machine,
     output::{HdrImage, OutputError, Tev, TevError, write_atomically},
@@ -44,6 +45,15 @@ pub struct Report {
     pub rows: Vec<ImageRow>,
     /// What was concluded from the runs.
     pub conclusions: Vec<Tables>,
+}
+
+/// All that results say beyond their numbers.
+fn conclusions(results: &Results) -> Vec<Tables> {
+    let concluded = Conclusions::of(&results.runs, &results.baselines, Metric::Truth);
+    let mut tables = concluded.tables();
+    tables.extend(bias_floors(&results.floors));
+    tables.extend(splits(&results.splits));
+    tables
 }
 
 /// A reference image beside its estimates: one scene, one quantity, one camera.
@@ -84,7 +94,7 @@ impl Report {
             seed: results.seed,
             runs: results.runs.clone(),
             rows,
-            conclusions: Vec::new(),
+            conclusions: conclusions(results),
         }
     }
 

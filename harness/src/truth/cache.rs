@@ -31,7 +31,9 @@ impl Cache {
         let end = bytes.iter().position(|b| *b == b'\n')?;
         let description = String::from_utf8(bytes[..end].to_vec()).ok()?;
         let numbers = bytes[end + 1..].chunks_exact(4);
-        let numbers: Vec<f32> = numbers.map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
+        let numbers: Vec<f32> = numbers
+            .map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]]))
+            .collect();
         if numbers.len() != 6 * points || bytes.len() - end - 1 != 24 * points {
             return None;
         }
@@ -79,7 +81,11 @@ mod tests {
         };
         cache.keep("key", &values);
         let back = cache.get("key", 2).expect("what was kept");
-        let bits = |e: &Estimate| e.iter().map(|v| v.to_array().map(f32::to_bits)).collect::<Vec<_>>();
+        let bits = |e: &Estimate| {
+            e.iter()
+                .map(|v| v.to_array().map(f32::to_bits))
+                .collect::<Vec<_>>()
+        };
         assert_eq!(bits(&back.values), bits(&values.values));
         assert_eq!(back.description, values.description);
         assert!(cache.get("key", 3).is_none() && cache.get("other", 2).is_none());
