@@ -1,6 +1,6 @@
 //! Runs as plots and tables know them, and the marks that stand for them.
 
-use crate::record::{Backend, Phases, Run, Timing};
+use crate::record::{Backend, Phases, Run};
 use serde::Serialize;
 
 /// A run in a plot: a mark that leads to its image.
@@ -65,11 +65,8 @@ impl Numbered<'_> {
     }
 }
 
-/// Least and greatest time of a frame in milliseconds that the spread of its phases allows; `None` if
+/// Least and greatest time of a frame in milliseconds, the ends of its median's 95 % interval; `None` if
 /// nothing was shaded.
 pub(super) fn frame_interval_ms(phases: &Phases) -> Option<[f64; 2]> {
-    let frame = phases.frame_ms()?;
-    let spread = |t: Option<Timing>| t.map_or(0.0, |t| t.mad);
-    let spread = spread(phases.capture) + spread(phases.prepare) + spread(phases.shade);
-    Some([frame - spread, frame + spread])
+    phases.frame().map(|frame| [frame.low, frame.high])
 }

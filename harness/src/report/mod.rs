@@ -47,6 +47,12 @@ pub struct Report {
     pub conclusions: Vec<Tables>,
 }
 
+/// The program and the command's name.
+fn title(command: &str) -> String {
+    let name = command.split_whitespace().nth(1).unwrap_or("bench");
+    format!("interreflect {name}")
+}
+
 /// All that results say beyond their numbers.
 fn conclusions(results: &Results) -> Vec<Tables> {
     let concluded = Conclusions::of(&results.runs, &results.baselines, Metric::Truth);
@@ -88,7 +94,7 @@ impl Report {
     /// The report of a bench.
     pub fn new(results: &Results, rows: Vec<ImageRow>) -> Self {
         Self {
-            title: "interreflect bench".into(),
+            title: title(&results.command),
             command: results.command.clone(),
             machine: results.machine.clone(),
             seed: results.seed,

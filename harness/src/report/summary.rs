@@ -62,18 +62,26 @@ pub(super) struct Line {
     software: bool,
     time_source: String,
     points: usize,
+    /// Each phase, and the frame.
     times: Vec<Time>,
+    memory: String,
+    /// What the processor did meanwhile, if it is worth a remark.
+    slowed: Option<String>,
     truth: Cell,
     own_model: Cell,
     skipped: Option<String>,
 }
 
-/// One phase in words.
+/// One time in words.
 #[derive(Serialize)]
 struct Time {
     median: String,
     /// Median absolute deviation; `None` for a single time.
     spread: Option<String>,
+    /// How it was taken, and how far it can be believed.
+    how: String,
+    /// Something speaks against it: it did not settle, or drifted, or another clock had to do.
+    doubtful: bool,
 }
 
 /// One comparison in words; `missing` says why there is none.
@@ -83,6 +91,7 @@ pub(super) struct Cell {
     relmse: String,
     rmse: String,
     energy: String,
+    flip: Option<String>,
     p999: String,
     max: String,
     floor: String,
@@ -168,6 +177,7 @@ fn line(of: &Numbered<'_>, bench: Option<&BenchCommand>) -> Line {
     let params: Vec<String> = params
         .map(|(name, value)| format!("{name}={value}"))
         .collect();
+    let phases = run.phases_ms.named().into_iter().map(|(_, t)| t);
     Line {
         number: of.number,
         hue: of.hue,
@@ -180,7 +190,11 @@ fn line(of: &Numbered<'_>, bench: Option<&BenchCommand>) -> Line {
         software: run.software,
         time_source: run.time_source.to_string(),
         points: run.points,
-        times: run.phases_ms.named().map(|(_, t)| time(t)).into(),
+        times: phases.chain([run.phases_ms.frame()]).map(time).collect(),
+        memory: memory(run),
+        slowed: run
+            .slowed
+            .map(|by| format!("the processor was {by:.2} times slower than at its best")),
         truth: cell(run.truth.as_ref(), run.truth_missing.as_deref()),
         own_model: cell(run.own_model.as_ref(), run.own_model_missing.as_deref()),
         skipped: run.skipped.clone(),
@@ -188,10 +202,44 @@ fn line(of: &Numbered<'_>, bench: Option<&BenchCommand>) -> Line {
 }
 
 fn time(timing: Option<Timing>) -> Time {
+    let doubts = timing.map_or(Vec::new(), |t| doubts(&t));
     Time {
         median: format::optional(timing.map(|t| t.median)),
         spread: timing.filter(|t| t.n > 1).map(|t| format::deviation(t.mad)),
+        how: timing.map_or(String::new(), |t| how(&t, &doubts)),
+        doubtful: !doubts.is_empty(),
     }
+}
+
+fn how(timing: &Timing, doubts: &[String]) -> String {
+    let interval = match timing.low < timing.high {
+        true => format!(
+            ", median between {} and {} (95 %)",
+            format::number(timing.low),
+            format::number(timing.high)
+        ),
+        false => String::new(),
+    };
+    let mut words = vec![format!("{} times by {}{interval}", timing.n, timing.source)];
+    words.extend_from_slice(doubts);
+    words.join("; ")
+}
+
+fn doubts(timing: &Timing) -> Vec<String> {
+    let settled = (timing.settled == Some(false)).then(|| "not settled".to_owned());
+    let drift = timing
+        .drift
+        .map(|drift| format!("drifted by {:+.0} %", 100.0 * drift));
+    let fallback = timing.fallback.map(|why| why.to_string());
+    settled.into_iter().chain(drift).chain(fallback).collect()
+}
+
+/// Captures and own data in MiB.
+fn memory(run: &Run) -> String {
+    let mebibytes = |bytes: u64| format::number(bytes as f64 / f64::from(1 << 20));
+    run.bytes.map_or(String::new(), |b| {
+        format!("{} + {}", mebibytes(b.captures), mebibytes(b.own))
+    })
 }
 
 fn cell(comparison: Option<&Comparison>, missing: Option<&str>) -> Cell {
@@ -206,6 +254,7 @@ fn cell(comparison: Option<&Comparison>, missing: Option<&str>) -> Cell {
         relmse: format::relmse(c),
         rmse: format::number(c.rmse),
         energy: format::optional(c.energy_ratio),
+        flip: c.flip.map(format::number),
         p999: format::number(c.p999),
         max: format::number(c.max),
         floor: format::optional(c.noise_floor),
