@@ -1,9 +1,13 @@
 //! What people do with a page, and what has to come of it.
 
-use crate::browser::{click, focus, mouse, on_canvas, press, text, value, wait};
+use crate::browser::Tab;
 use crate::sample::SIZE;
-use headless_chrome::Tab;
-use headless_chrome::protocol::cdp::{Emulation, Input};
+use chromiumoxide::cdp::browser_protocol::emulation::{
+    MediaFeature, SetDeviceMetricsOverrideParams, SetEmulatedMediaParams,
+};
+use chromiumoxide::cdp::browser_protocol::input::{
+    DispatchMouseEventType, DispatchTouchEventParams, DispatchTouchEventType, TouchPoint,
+};
 use libtest_mimic::Failed;
 
 const PICTURE: &str = "document.getElementById('v-canvas').toDataURL()";
@@ -11,91 +15,76 @@ const CAPTION: &str = "document.getElementById('v-caption').textContent";
 
 /// Does something and waits until the canvas shows something else.
 fn changes(tab: &Tab, act: impl FnOnce() -> Result<(), Failed>) -> Result<(), Failed> {
-    let before = text(tab, PICTURE)?;
+    let before = tab.text(PICTURE)?;
     act()?;
-    wait(tab, &format!("{PICTURE} !== {before:?}"))
+    tab.wait(&format!("{PICTURE} !== {before:?}"))
 }
 
 fn shows(tab: &Tab, words: &str) -> Result<(), Failed> {
-    wait(tab, &format!("{CAPTION}.includes({words:?})"))
+    tab.wait(&format!("{CAPTION}.includes({words:?})"))
 }
 
 pub(crate) fn exposure(tab: &Tab) -> Result<(), Failed> {
-    focus(tab, "#v-exposure")?;
-    changes(tab, || press(tab, "ArrowLeft"))?;
-    wait(
-        tab,
-        "document.getElementById('v-exposure-value').textContent.startsWith('-0.1 stops')",
-    )
+    tab.focus("#v-exposure")?;
+    changes(tab, || tab.press("ArrowLeft"))?;
+    tab.wait("document.getElementById('v-exposure-value').textContent.startsWith('-0.1 stops')")
 }
 
 pub(crate) fn split(tab: &Tab) -> Result<(), Failed> {
-    click(tab, ".mark[href='#run-2']")?;
-    changes(tab, || click(tab, "input[name=v-layout][value=split]"))?;
-    focus(tab, "#v-split")?;
-    changes(tab, || press(tab, "ArrowRight"))?;
-    wait(tab, "document.getElementById('v-split').value === '50.5'")?;
-    let (from, to) = (on_canvas(tab, [0.505, 0.5])?, on_canvas(tab, [0.25, 0.5])?);
-    use Input::DispatchMouseEventTypeOption::{MouseMoved, MousePressed, MouseReleased};
+    tab.click(".mark[href='#run-2']")?;
+    changes(tab, || tab.click("input[name=v-layout][value=split]"))?;
+    tab.focus("#v-split")?;
+    changes(tab, || tab.press("ArrowRight"))?;
+    tab.wait("document.getElementById('v-split').value === '50.5'")?;
+    let (from, to) = (tab.on_canvas([0.505, 0.5])?, tab.on_canvas([0.25, 0.5])?);
+    use DispatchMouseEventType::{MouseMoved, MousePressed, MouseReleased};
     changes(tab, || {
-        mouse(tab, MouseMoved, from)?;
-        mouse(tab, MousePressed, from)?;
-        mouse(tab, MouseMoved, to)?;
-        mouse(tab, MouseReleased, to)
+        tab.mouse(MouseMoved, from)?;
+        tab.mouse(MousePressed, from)?;
+        tab.mouse(MouseMoved, to)?;
+        tab.mouse(MouseReleased, to)
     })?;
-    wait(
-        tab,
-        "Math.abs(document.getElementById('v-split').value - 25) < 1",
-    )
+    tab.wait("Math.abs(document.getElementById('v-split').value - 25) < 1")
 }
 
 pub(crate) fn plot_point(tab: &Tab) -> Result<(), Failed> {
-    changes(tab, || click(tab, ".plot .mark[href='#run-3']"))?;
+    changes(tab, || tab.click(".plot .mark[href='#run-3']"))?;
     shows(tab, "texels, cpu, resolution=8")?;
-    wait(tab, "location.hash === '#run-3'")?;
-    wait(
-        tab,
+    tab.wait("location.hash === '#run-3'")?;
+    tab.wait(
         "document.querySelector(\".plot .mark[href='#run-3']\").hasAttribute('aria-current')",
     )?;
-    click(tab, ".curves .mark[href='#run-2']")?;
+    tab.click(".curves .mark[href='#run-2']")?;
     shows(tab, "texels, cpu, resolution=4")
 }
 
 pub(crate) fn link(tab: &Tab) -> Result<(), Failed> {
-    value(tab, "location.hash = '#run-1'")?;
+    tab.value("location.hash = '#run-1'")?;
     shows(tab, "ambient")?;
-    value(
-        tab,
+    tab.value(
         "document.getElementById('viewer').removeAttribute('data-drawn'), location.reload()",
     )?;
-    wait(
-        tab,
-        "document.getElementById('viewer')?.dataset.drawn !== undefined",
-    )?;
+    tab.wait("document.getElementById('viewer')?.dataset.drawn !== undefined")?;
     shows(tab, "ambient")
 }
 
 pub(crate) fn keys(tab: &Tab) -> Result<(), Failed> {
     shows(tab, "truth")?;
-    changes(tab, || press(tab, "ArrowRight"))?;
+    changes(tab, || tab.press("ArrowRight"))?;
     shows(tab, "ambient")?;
-    changes(tab, || press(tab, "3"))?;
+    changes(tab, || tab.press("3"))?;
     shows(tab, "texels, cpu, resolution=4")?;
-    changes(tab, || press(tab, "x"))?;
+    changes(tab, || tab.press("x"))?;
     shows(tab, "truth")?;
-    changes(tab, || press(tab, "e"))?;
-    wait(
-        tab,
-        "document.querySelector('input[name=v-show]:checked').value === 'signed'",
-    )
+    changes(tab, || tab.press("e"))?;
+    tab.wait("document.querySelector('input[name=v-show]:checked').value === 'signed'")
 }
 
 pub(crate) fn read_out(tab: &Tab) -> Result<(), Failed> {
-    click(tab, ".mark[href='#run-3']")?;
+    tab.click(".mark[href='#run-3']")?;
     shows(tab, "texels, cpu, resolution=8")?;
     // The middle of pixel 8, 4; the canvas may be wider or higher than the image.
-    let sizes = text(
-        tab,
+    let sizes = tab.text(
         "(() => { const c = document.getElementById('v-canvas'); \
          return JSON.stringify([c.clientWidth, c.clientHeight]); })()",
     )?;
@@ -104,14 +93,10 @@ pub(crate) fn read_out(tab: &Tab) -> Result<(), Failed> {
     let at = |pixel: f64, pixels: usize, extent: f64| {
         0.5 + scale * (pixel + 0.5 - pixels as f64 / 2.0) / extent
     };
-    let place = on_canvas(tab, [at(8.0, SIZE.0, width), at(4.0, SIZE.1, height)])?;
-    mouse(tab, Input::DispatchMouseEventTypeOption::MouseMoved, place)?;
-    wait(
-        tab,
-        "document.getElementById('v-pixel').textContent === '8, 4'",
-    )?;
-    let cells = text(
-        tab,
+    let place = tab.on_canvas([at(8.0, SIZE.0, width), at(4.0, SIZE.1, height)])?;
+    tab.mouse(DispatchMouseEventType::MouseMoved, place)?;
+    tab.wait("document.getElementById('v-pixel').textContent === '8, 4'")?;
+    let cells = tab.text(
         "[...document.querySelectorAll('#v-values td')].map((c) => c.textContent).join(' ')",
     )?;
     let expected = "0.6250 0.3125 0.3125 0.5000 0.2500 0.2500 0.1250 0.06250 0.06250";
@@ -122,21 +107,18 @@ pub(crate) fn read_out(tab: &Tab) -> Result<(), Failed> {
 }
 
 pub(crate) fn error_maps(tab: &Tab) -> Result<(), Failed> {
-    click(tab, ".mark[href='#run-2']")?;
+    tab.click(".mark[href='#run-2']")?;
     shows(tab, "texels, cpu, resolution=4")?;
-    changes(tab, || click(tab, "input[name=v-show][value=signed]"))?;
+    changes(tab, || tab.click("input[name=v-show][value=signed]"))?;
     // Twice the truth: 1.0 is the next round number above the largest mean error.
-    let high = text(tab, "document.getElementById('v-high').textContent")?;
+    let high = tab.text("document.getElementById('v-high').textContent")?;
     if !high.ends_with("+1 W/m2") {
         return Err(format!("the colour bar ends at `{high}`").into());
     }
-    focus(tab, "#v-range")?;
-    changes(tab, || press(tab, "ArrowRight"))?;
-    wait(
-        tab,
-        "document.getElementById('v-high').textContent.endsWith('+2 W/m2')",
-    )?;
-    changes(tab, || click(tab, "input[name=v-show][value=relative]"))
+    tab.focus("#v-range")?;
+    changes(tab, || tab.press("ArrowRight"))?;
+    tab.wait("document.getElementById('v-high').textContent.endsWith('+2 W/m2')")?;
+    changes(tab, || tab.click("input[name=v-show][value=relative]"))
 }
 
 pub(crate) fn dark(tab: &Tab) -> Result<(), Failed> {
@@ -144,15 +126,11 @@ pub(crate) fn dark(tab: &Tab) -> Result<(), Failed> {
         document.querySelector('.mark circle:not(.reach)')].map((n) => { const s = getComputedStyle(n); \
         return [s.backgroundColor, s.color, s.fill, s.stroke]; }))";
     let scheme = |name: &str| -> Result<String, Failed> {
-        let media = Emulation::SetEmulatedMedia {
-            media: None,
-            features: Some(vec![Emulation::MediaFeature {
-                name: "prefers-color-scheme".into(),
-                value: name.into(),
-            }]),
-        };
-        tab.call_method(media).map_err(|e| e.to_string())?;
-        text(tab, COLOURS)
+        tab.execute(SetEmulatedMediaParams {
+            features: Some(vec![MediaFeature::new("prefers-color-scheme", name)]),
+            ..SetEmulatedMediaParams::default()
+        })?;
+        tab.text(COLOURS)
     };
     let light: Vec<Vec<String>> = serde_json::from_str(&scheme("light")?)?;
     let dark: Vec<Vec<String>> = serde_json::from_str(&scheme("dark")?)?;
@@ -164,75 +142,39 @@ pub(crate) fn dark(tab: &Tab) -> Result<(), Failed> {
 }
 
 pub(crate) fn phone(tab: &Tab) -> Result<(), Failed> {
-    let metrics = Emulation::SetDeviceMetricsOverride {
-        width: 390,
-        height: 844,
-        device_scale_factor: 2.0,
-        mobile: true,
-        scale: None,
-        screen_width: None,
-        screen_height: None,
-        position_x: None,
-        position_y: None,
-        dont_set_visible_size: None,
-        screen_orientation: None,
-        viewport: None,
-        display_feature: None,
-        device_posture: None,
-    };
-    tab.call_method(metrics).map_err(|e| e.to_string())?;
+    tab.execute(SetDeviceMetricsOverrideParams::new(390, 844, 2.0, true))?;
     // What is wider than the screen widens the window of a page on a phone.
     let fits = "innerWidth === 390 && document.documentElement.scrollWidth === 390";
-    wait(tab, fits)?;
+    tab.wait(fits)?;
     for layout in ["split", "all"] {
-        click(tab, &format!("input[name=v-layout][value={layout}]"))?;
-        wait(tab, fits)?;
+        tab.click(&format!("input[name=v-layout][value={layout}]"))?;
+        tab.wait(fits)?;
     }
     Ok(())
 }
 
 pub(crate) fn pinch(tab: &Tab) -> Result<(), Failed> {
-    use Input::DispatchTouchEventTypeOption::{TouchEnd, TouchMove, TouchStart};
-    let touch = |kind, fingers: &[[f64; 2]]| -> Result<(), Failed> {
-        let finger = |(id, at): (usize, &[f64; 2])| Input::TouchPoint {
-            x: at[0],
-            y: at[1],
-            radius_x: None,
-            radius_y: None,
-            rotation_angle: None,
-            force: None,
-            tangential_pressure: None,
-            tilt_x: None,
-            tilt_y: None,
-            twist: None,
+    let touch = |kind, fingers: [[f64; 2]; 2]| {
+        let finger = |id: usize| TouchPoint {
             id: Some(id as f64),
+            ..TouchPoint::new(fingers[id][0], fingers[id][1])
         };
-        let event = Input::DispatchTouchEvent {
-            Type: kind,
-            touch_points: fingers.iter().enumerate().map(finger).collect(),
-            modifiers: None,
-            timestamp: None,
-        };
-        Ok(tab
-            .call_method(event)
-            .map(drop)
-            .map_err(|e| e.to_string())?)
+        tab.execute(DispatchTouchEventParams::new(
+            kind,
+            vec![finger(0), finger(1)],
+        ))
     };
     let places = |apart: f64| -> Result<[[f64; 2]; 2], Failed> {
         Ok([
-            on_canvas(tab, [0.5 - apart, 0.5])?,
-            on_canvas(tab, [0.5 + apart, 0.5])?,
+            tab.on_canvas([0.5 - apart, 0.5])?,
+            tab.on_canvas([0.5 + apart, 0.5])?,
         ])
     };
     let (near, far) = (places(0.05)?, places(0.2)?);
     changes(tab, || {
-        touch(TouchStart, &near)?;
-        touch(TouchMove, &far)?;
-        touch(TouchEnd, &[])
+        touch(DispatchTouchEventType::TouchStart, near)?;
+        touch(DispatchTouchEventType::TouchMove, far)
     })?;
-    wait(
-        tab,
-        "document.getElementById('v-canvas').classList.contains('zoomed')",
-    )?;
-    changes(tab, || press(tab, "f"))
+    tab.wait("document.getElementById('v-canvas').classList.contains('zoomed')")?;
+    changes(tab, || tab.press("f"))
 }

@@ -9,7 +9,6 @@ mod checks;
 mod sample;
 
 use browser::in_page;
-use headless_chrome::browser::default_executable;
 use libtest_mimic::{Arguments, Trial};
 use std::process::ExitCode;
 
@@ -33,7 +32,7 @@ const CHECKS: [(&str, browser::Check); 10] = [
 fn main() -> ExitCode {
     let arguments = Arguments::from_args();
     let required = std::env::var_os("INTERREFLECT_REQUIRE_BROWSER").is_some();
-    let missing = default_executable().is_err() && !required;
+    let missing = browser::config(&std::env::temp_dir()).is_err() && !required;
     let trials = CHECKS.into_iter().map(|(name, check)| {
         let trial = Trial::test(name, move || in_page(check));
         trial.with_ignored_flag(missing)
