@@ -2,11 +2,13 @@
 
 mod options;
 mod render;
+mod reproduce;
 mod values;
 mod verify;
 
 pub use options::{Backends, ReferenceBudget, RunOptions, SceneOptions};
 pub use render::{Render, Show};
+pub use reproduce::Reproduce;
 pub use values::{MaterialArg, Setting};
 pub use verify::Verify;
 
@@ -55,6 +57,8 @@ pub enum Command {
     Compare(Compare),
     /// Check what estimators must keep to, exact answers, and what they claim
     Verify(Verify),
+    /// Run the papers' own experiments and judge what they claim
+    Reproduce(Reproduce),
 }
 
 /// `interreflect list`.

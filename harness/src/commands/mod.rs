@@ -7,6 +7,7 @@ mod list;
 mod probe;
 mod reference;
 mod render;
+mod reproduce;
 mod sequence;
 mod verify;
 
@@ -31,6 +32,7 @@ pub(crate) fn run(cli: Cli, registry: Registry, command_line: &str) -> Result<()
         Command::Reference(command) => reference::run(&command, registry),
         Command::Compare(command) => compare::run(&command),
         Command::Verify(command) => verify::run(&command, registry),
+        Command::Reproduce(command) => reproduce::run(&command, registry, command_line),
     }
 }
 

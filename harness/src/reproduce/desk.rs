@@ -1,0 +1,241 @@
+//! What experiments work with: scenes on the backends, methods, and measurements.
+
+use super::assets::{Assets, Model};
+use super::finding::Finding;
+use super::place::{Place, setting};
+use super::verdict::Amount;
+use crate::error::HarnessError;
+use crate::lab::Lab;
+use crate::record::{Backend, Run, Timing};
+use crate::stages::{Stages, Timed};
+use crate::truth::References;
+use crate::view::{Look, View};
+use interreflect_cpu::path_tracer::Stop;
+use interreflect_cpu::scene::CpuScene;
+use interreflect_estimators::{Configured, Quantity};
+use interreflect_scene::{Camera, Estimate, Points, Scene};
+use std::sync::Arc;
+
+/// Methods, backends and models, and how much effort is made.
+pub struct Desk<'a> {
+    lab: &'a Lab,
+    backends: Vec<Backend>,
+    assets: Assets,
+    quick: bool,
+}
+
+/// A scene on the backends.
+pub(super) struct Room<'a> {
+    pub(super) cpu: Arc<CpuScene>,
+    pub(super) stages: Stages<'a>,
+}
+
+/// An estimate with the record of its run.
+pub(super) struct Shot {
+    pub(super) estimate: Estimate,
+    pub(super) run: Run,
+}
+
+impl<'a> Desk<'a> {
+    /// A desk for those of the backends that there are; `quick` takes fewer points, samples and cases.
+    pub fn new(lab: &'a Lab, backends: Vec<Backend>, assets: Assets, quick: bool) -> Self {
+        Self {
+            lab,
+            backends,
+            assets,
+            quick,
+        }
+    }
+
+    /// The backends that there are.
+    pub(super) fn backends(&self) -> Vec<Backend> {
+        self.backends.clone()
+    }
+
+    /// The one of two that the effort calls for.
+    pub(super) fn pick<T>(&self, quick: T, full: T) -> T {
+        if self.quick { quick } else { full }
+    }
+
+    /// Points of a picture.
+    pub(super) fn points(&self) -> usize {
+        self.pick(8_000, 30_000)
+    }
+
+    /// When references are good enough.
+    pub(super) fn stop(&self) -> Stop {
+        Stop {
+            samples: Some(self.pick(128, 2048)),
+            ..Stop::default()
+        }
+    }
+
+    /// A model, or what takes its place.
+    pub(super) fn mesh(&self, name: &str) -> Model {
+        self.assets.mesh(name)
+    }
+
+    /// The models and maps.
+    pub(super) fn assets(&self) -> &Assets {
+        &self.assets
+    }
+
+    /// Opens a scene; what takes something's place in it is noted.
+    pub(super) fn scene(&self, place: &Place, finding: &mut Finding) -> Result<Scene, HarnessError> {
+        for note in &place.notes {
+            finding.note(note.as_str());
+        }
+        self.lab.scene(&place.source, &place.options, &place.settings)
+    }
+
+    /// Sets a scene up on the backends.
+    pub(super) fn set_up(&self, scene: &Scene) -> Result<Room<'a>, HarnessError> {
+        let on_gpu = self.backends.contains(&Backend::Gpu);
+        let loaded = self.lab.set_up(scene, on_gpu)?;
+        let cpu = loaded.cpu.clone();
+        let stages = Stages::new(&self.lab.cpu, loaded);
+        Ok(Room { cpu, stages })
+    }
+
+    /// Opens a scene and sets it up.
+    pub(super) fn room(&self, place: &Place, finding: &mut Finding) -> Result<Room<'a>, HarnessError> {
+        self.set_up(&self.scene(place, finding)?)
+    }
+
+    /// What a room's camera sees, cropped to about as many shaded points as a picture has.
+    pub(super) fn view(&self, room: &Room<'_>) -> Result<View, HarnessError> {
+        let scene = &*room.cpu;
+        let (camera, count) = (scene.scene().camera, self.points());
+        self.lab.cpu.install(|| View::of_about(scene, &camera, count))
+    }
+
+    /// What a room's camera sees, `width` pixels wide.
+    pub(super) fn whole_view(
+        &self,
+        room: &Room<'_>,
+        width: u32,
+        look: Look,
+    ) -> Result<View, HarnessError> {
+        let scene = &*room.cpu;
+        let camera = scene.scene().camera;
+        let [w, h] = camera.resolution;
+        let camera = Camera {
+            resolution: [width, (width * h).div_ceil(w)],
+            ..camera
+        };
+        self.lab.cpu.install(|| View::with(scene, &camera, look))
+    }
+
+    /// A method with parameters.
+    pub(super) fn method(
+        &self,
+        id: &str,
+        parameters: &[(&str, &dyn ToString)],
+    ) -> Result<Box<dyn Configured>, HarnessError> {
+        let settings = parameters.iter().map(|(name, value)| setting(name, value.to_string()));
+        self.lab.configure(id, &settings.collect::<Vec<_>>())
+    }
+
+    /// The references of a quantity at points, none of them computed yet.
+    pub(super) fn references<'b>(
+        &'b self,
+        room: &'b Room<'_>,
+        quantity: Quantity,
+        points: &'b Points,
+    ) -> References<'b> {
+        let (cx, seed) = (&self.lab.cpu, self.lab.seed);
+        References::new(cx, &room.cpu, quantity, points, self.stop(), seed)
+    }
+
+    /// Runs and times a method.
+    pub(super) fn shot(
+        &self,
+        room: &Room<'_>,
+        backend: Backend,
+        method: &dyn Configured,
+        quantity: Quantity,
+        points: &Points,
+    ) -> Result<Shot, HarnessError> {
+        let timed = self.timed(room, backend, method, quantity, points)?;
+        let values = method.values().into_iter();
+        let run = Run {
+            fidelity: method.fidelity().map(str::to_owned),
+            params: values.map(|(field, value)| (field.name, value)).collect(),
+            points: points.len(),
+            phases_ms: timed.measured.phases,
+            time_source: timed.time_source,
+            software: timed.software,
+            truth_missing: Some("compared by the experiment".into()),
+            own_model_missing: Some("compared by the experiment".into()),
+            ..Run::new(
+                room.cpu.scene().name.clone(),
+                method.info().id,
+                backend,
+                quantity.name(),
+            )
+        };
+        Ok(Shot {
+            estimate: timed.measured.estimate,
+            run,
+        })
+    }
+
+    /// The only place that says how long times are taken.
+    fn timed(
+        &self,
+        room: &Room<'_>,
+        backend: Backend,
+        method: &dyn Configured,
+        quantity: Quantity,
+        points: &Points,
+    ) -> Result<Timed, HarnessError> {
+        room.stages.measure(backend, method, quantity, points, self.pick(5, 15))
+    }
+}
+
+impl Shot {
+    /// Milliseconds of a frame: captures, preparation and shading.
+    pub(super) fn frame_ms(&self) -> Amount {
+        let phases = self.run.phases_ms;
+        let times = [phases.capture, phases.prepare, phases.shade];
+        let times: Vec<Amount> = times.into_iter().flatten().map(amount).collect();
+        Amount {
+            value: times.iter().map(|t| t.value).sum(),
+            spread: times.iter().map(|t| t.spread).fold(0.0, f64::hypot),
+        }
+    }
+
+    /// Milliseconds of preparation.
+    pub(super) fn prepare_ms(&self) -> Amount {
+        self.run.phases_ms.prepare.map_or(Amount::exact(0.0), amount)
+    }
+
+    /// Milliseconds of shading.
+    pub(super) fn shade_ms(&self) -> Amount {
+        self.run.phases_ms.shade.map_or(Amount::exact(0.0), amount)
+    }
+}
+
+/// Standard deviations of normal times in their median absolute deviation.
+const DEVIATION: f64 = 1.4826;
+
+/// How far a time that was taken once may be off.
+const OF_A_SINGLE_TIME: f64 = 0.3;
+
+/// A time with two standard deviations of single times, not of their median: other load comes and goes
+/// more slowly than one measurement takes. A single time may be off by 30 %.
+pub(super) fn amount(timing: Timing) -> Amount {
+    let spread = match timing.n {
+        0 | 1 => OF_A_SINGLE_TIME * timing.median,
+        _ => 2.0 * DEVIATION * timing.mad,
+    };
+    Amount {
+        value: timing.median,
+        spread,
+    }
+}
+
+/// As [`amount`], of times in milliseconds.
+pub(super) fn amount_of(times_ms: &[f64]) -> Amount {
+    Timing::of(times_ms).map_or(Amount::exact(f64::NAN), amount)
+}

@@ -1,0 +1,184 @@
+//! Which of two estimates is nearer to a reference that errs itself.
+//!
+//! Both are compared with the same reference, so most of its noise cancels: with weights w as in
+//! [`crate::metrics`], relMSE(a) − relMSE(b) = Σ w(a−b)(a+b−2r)/n, whose standard error from that of r,
+//! s, is 2·√(Σ(w(a−b)s)²)/n. The channels of a point share their light paths and add up; points are
+//! independent. Three standard errors count as noise.
+
+use super::verdict::{Amount, Trial};
+use crate::metrics::EPSILON_FRACTION;
+use crate::record::Backend;
+use glam::DVec3;
+use interreflect_conformance::own_model::ModelValues;
+use interreflect_scene::{Estimate, Points};
+
+/// How many standard errors count as noise.
+const DEVIATIONS: f64 = 3.0;
+
+/// A reference at the points that have a surface.
+pub(super) struct Judge<'a> {
+    reference: &'a Estimate,
+    error: Option<&'a Estimate>,
+    at: Vec<usize>,
+    epsilon: f64,
+}
+
+impl<'a> Judge<'a> {
+    /// A reference with its standard error.
+    pub(super) fn new(reference: &'a ModelValues, points: &Points) -> Self {
+        let at = (0..points.len()).filter(|&i| points.get(i).is_some());
+        Self::at(&reference.values, Some(&reference.error), at.collect())
+    }
+
+    /// A reference at some indices; without errors it is exact.
+    pub(super) fn at(
+        reference: &'a Estimate,
+        error: Option<&'a Estimate>,
+        at: Vec<usize>,
+    ) -> Self {
+        let magnitude = |i: &usize| reference.get(*i).as_dvec3().abs().element_sum() / 3.0;
+        let mean = at.iter().map(magnitude).sum::<f64>() / at.len().max(1) as f64;
+        let epsilon = (EPSILON_FRACTION * mean).powi(2).max(f64::MIN_POSITIVE);
+        Self {
+            reference,
+            error,
+            at,
+            epsilon,
+        }
+    }
+
+    /// Whether there is anything to compare.
+    pub(super) fn is_empty(&self) -> bool {
+        self.at.is_empty()
+    }
+
+    /// Mean of the reference over points and channels.
+    pub(super) fn mean(&self) -> f64 {
+        self.mean_of(|i| self.r(i))
+    }
+
+    /// That estimate `a` is nearer to the reference than `b`, in relMSE.
+    pub(super) fn nearer(
+        &self,
+        what: impl Into<String>,
+        backend: Backend,
+        a: &Estimate,
+        b: &Estimate,
+    ) -> Trial {
+        let between = self.deviation(|i| a.get(i).as_dvec3() - b.get(i).as_dvec3());
+        let errors = (self.relmse(a).value, self.relmse(b).value);
+        Trial::less_by(format!("{}, relMSE", what.into()), backend, errors, between)
+    }
+
+    /// Mean squared error relative to the reference's square, as [`crate::metrics`] has it, with three
+    /// standard errors of what the reference's noise makes of it.
+    pub(super) fn relmse(&self, e: &Estimate) -> Amount {
+        let difference = |i| e.get(i).as_dvec3() - self.r(i);
+        Amount {
+            value: self.mean_of(|i| self.weight(i) * difference(i).powf(2.0)),
+            spread: self.deviation(difference),
+        }
+    }
+
+    /// The factor that brings an estimate nearest to the reference, by the same weights.
+    pub(super) fn factor(&self, e: &Estimate) -> f64 {
+        let sum = |f: &dyn Fn(DVec3, DVec3) -> DVec3| {
+            self.mean_of(|i| self.weight(i) * f(e.get(i).as_dvec3(), self.r(i)))
+        };
+        let square = sum(&|e, _| e * e);
+        if square > 0.0 { sum(&|e, r| e * r) / square } else { 1.0 }
+    }
+
+    /// The largest excess of an estimate over the reference plus three standard errors, mean of the
+    /// channels, in means of the reference; not below 0.
+    pub(super) fn spike(&self, e: &Estimate) -> f64 {
+        let excess = |&i: &usize| {
+            let above = e.get(i).as_dvec3() - self.r(i) - DEVIATIONS * self.s(i);
+            above.element_sum() / 3.0
+        };
+        self.at.iter().map(excess).fold(0.0, f64::max) / self.mean()
+    }
+
+    /// Root mean square difference over the mean of the reference.
+    pub(super) fn relative_rms(&self, e: &Estimate) -> f64 {
+        let square = self.mean_of(|i| (e.get(i).as_dvec3() - self.r(i)).powf(2.0));
+        square.sqrt() / self.mean()
+    }
+
+    fn r(&self, i: usize) -> DVec3 {
+        self.reference.get(i).as_dvec3()
+    }
+
+    fn s(&self, i: usize) -> DVec3 {
+        self.error.map_or(DVec3::ZERO, |e| e.get(i).as_dvec3())
+    }
+
+    fn weight(&self, i: usize) -> DVec3 {
+        (self.r(i) * self.r(i) + self.epsilon).recip()
+    }
+
+    fn mean_of(&self, value: impl Fn(usize) -> DVec3) -> f64 {
+        let sum: f64 = self.at.iter().map(|&i| value(i).element_sum()).sum();
+        sum / (3 * self.at.len().max(1)) as f64
+    }
+
+    /// Three standard errors of 2·mean(w·d·r) that the reference's noise causes.
+    fn deviation(&self, difference: impl Fn(usize) -> DVec3) -> f64 {
+        let of_point = |&i: &usize| {
+            let terms = self.weight(i) * difference(i) * self.s(i);
+            terms.abs().element_sum().powi(2)
+        };
+        let variance: f64 = self.at.iter().map(of_point).sum();
+        DEVIATIONS * 2.0 * variance.sqrt() / (3 * self.at.len().max(1)) as f64
+    }
+}
+
+/// An estimate times a factor.
+pub(super) fn scaled(estimate: &Estimate, factor: f64) -> Estimate {
+    let mut all = Estimate::new(estimate.len());
+    for (i, value) in estimate.iter().enumerate() {
+        all.set(i, value * factor as f32);
+    }
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::verdict::Outcome;
+    use super::*;
+    use glam::Vec3;
+
+    fn estimate(values: &[f32]) -> Estimate {
+        let mut all = Estimate::new(values.len());
+        for (i, v) in values.iter().enumerate() {
+            all.set(i, Vec3::splat(*v));
+        }
+        all
+    }
+
+    #[test]
+    fn what_is_nearer_is_told_unless_noise_hides_it() {
+        let (reference, near, far) = (estimate(&[1.0; 9]), estimate(&[1.1; 9]), estimate(&[1.3; 9]));
+        for (error, outcome) in [(0.0, Outcome::Holds), (0.01, Outcome::Holds), (2.0, Outcome::Undecided)] {
+            let error = estimate(&[error; 9]);
+            let judge = Judge::at(&reference, Some(&error), (0..9).collect());
+            assert_eq!(judge.nearer("", Backend::Cpu, &near, &far).outcome, outcome);
+        }
+        let exact = Judge::at(&reference, None, (0..9).collect());
+        assert_eq!(exact.nearer("", Backend::Cpu, &far, &near).outcome, Outcome::Fails);
+        assert!((exact.relmse(&near).value - 0.01).abs() < 1e-4);
+        assert!((exact.relative_rms(&far) - 0.3).abs() < 1e-6);
+    }
+
+    #[test]
+    fn a_factor_takes_a_scale_away_and_spikes_are_the_largest_excess() {
+        let reference = estimate(&[1.0, 2.0, 3.0]);
+        let judge = Judge::at(&reference, None, vec![0, 1, 2]);
+        let double = estimate(&[2.0, 4.0, 6.0]);
+        let factor = judge.factor(&double);
+        assert!((factor - 0.5).abs() < 1e-6);
+        assert!(judge.relmse(&scaled(&double, factor)).value < 1e-12);
+        assert!((judge.spike(&double) - 1.5).abs() < 1e-6);
+        assert_eq!(judge.spike(&estimate(&[0.0; 3])), 0.0);
+    }
+}

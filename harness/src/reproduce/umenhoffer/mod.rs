@@ -1,0 +1,3 @@
+//! x
+use super::Experiment;
+pub(super) const EXPERIMENTS: &[Experiment] = &[];
