@@ -6,13 +6,15 @@ use super::place::{Place, setting};
 use super::verdict::Amount;
 use crate::error::HarnessError;
 use crate::lab::Lab;
-use crate::record::{Backend, Run, Timing};
-use crate::stages::{Stages, Timed};
+use crate::frames::{Frame, Shaded};
+use crate::record::{Backend, Phases, Run, Timing};
+use crate::stages::{Running, Stages};
 use crate::truth::References;
 use crate::view::{Look, View};
 use interreflect_cpu::path_tracer::Stop;
 use interreflect_cpu::scene::CpuScene;
-use interreflect_estimators::{Configured, Quantity};
+use interreflect_estimators::{Configured, Quantity, Seen};
+use interreflect_scene::motion::Moves;
 use interreflect_scene::{Camera, Estimate, Points, Scene};
 use std::sync::Arc;
 
@@ -147,7 +149,7 @@ impl<'a> Desk<'a> {
         References::new(cx, &room.cpu, quantity, points, self.stop(), seed)
     }
 
-    /// Runs and times a method.
+    /// Runs a method for its estimate alone: its record has no times.
     pub(super) fn shot(
         &self,
         room: &Room<'_>,
@@ -156,7 +158,33 @@ impl<'a> Desk<'a> {
         quantity: Quantity,
         points: &Points,
     ) -> Result<Shot, HarnessError> {
-        let timed = self.timed(room, backend, method, quantity, points)?;
+        let mut shot = self.measured(room, backend, method, (quantity, points), 0)?;
+        shot.run.phases_ms = Phases::default();
+        Ok(shot)
+    }
+
+    /// Runs and times a method.
+    pub(super) fn timed_shot(
+        &self,
+        room: &Room<'_>,
+        backend: Backend,
+        method: &dyn Configured,
+        quantity: Quantity,
+        points: &Points,
+    ) -> Result<Shot, HarnessError> {
+        self.measured(room, backend, method, (quantity, points), self.pick(7, 21))
+    }
+
+    /// The only place that measures: `repeat` times beside the first.
+    fn measured(
+        &self,
+        room: &Room<'_>,
+        backend: Backend,
+        method: &dyn Configured,
+        (quantity, points): (Quantity, &Points),
+        repeat: usize,
+    ) -> Result<Shot, HarnessError> {
+        let timed = room.stages.measure(backend, method, quantity, points, repeat)?;
         let values = method.values().into_iter();
         let run = Run {
             fidelity: method.fidelity().map(str::to_owned),
@@ -180,16 +208,28 @@ impl<'a> Desk<'a> {
         })
     }
 
-    /// The only place that says how long times are taken.
-    fn timed(
+    /// Runs the next frame of a sequence.
+    pub(super) fn frame(
         &self,
         room: &Room<'_>,
-        backend: Backend,
+        (running, backend): (&mut Running, Backend),
         method: &dyn Configured,
         quantity: Quantity,
-        points: &Points,
-    ) -> Result<Timed, HarnessError> {
-        room.stages.measure(backend, method, quantity, points, self.pick(5, 15))
+        (points, seen, moves): (&Points, Option<Seen<'_>>, Moves),
+    ) -> Result<Shaded, HarnessError> {
+        let scene = room.cpu.scene();
+        let frame = Frame {
+            scene,
+            moves,
+            points,
+            seen,
+        };
+        room.stages.next_frame(backend, running, method, quantity, &frame)
+    }
+
+    /// Whether times of a backend are a software adapter's.
+    pub(super) fn software(&self, backend: Backend) -> bool {
+        backend == Backend::Gpu && self.lab.machine().software == Some(true)
     }
 }
 

@@ -6,7 +6,8 @@ use super::super::judge::{Judge, scaled};
 use super::super::pictures::Row;
 use super::super::place::Place;
 use crate::error::HarnessError;
-use interreflect_estimators::{Configured, Quantity};
+use interreflect_cpu::path_tracer::LightPaths;
+use interreflect_estimators::{Configured, OwnModel, Quantity};
 use interreflect_scene::Estimate;
 
 /// How the model reflects.
@@ -26,6 +27,13 @@ const RESOLUTIONS: [u32; 3] = [2, 4, 16];
 
 /// Reflections that captures hold, so that what is left out is not in the comparison.
 const BOUNCES: u32 = 4;
+
+/// All light but what the model keeps from itself: in neither map is there any of the model, and a map
+/// that is too dark must not gain by its missing shadows.
+const UNSHADOWED: LightPaths = LightPaths {
+    self_shadowing: false,
+    ..LightPaths::ALL
+};
 
 pub(super) fn run(
     desk: &Desk<'_>,
@@ -69,20 +77,23 @@ fn compare(
     let view = desk.view(room)?;
     let points = view.points(quantity.layout());
     let mut references = desk.references(room, quantity, &points);
-    let truth = references.truth();
+    let all = references.truth();
+    let (all, all_error) = (all.values.clone(), all.error.clone());
+    let truth = references.model(OwnModel::LightTransport(UNSHADOWED));
     let judge = Judge::new(truth, &points);
+    let judge_of_all = Judge::at(&all, Some(&all_error), (0..points.len()).collect());
     let brought = |e: &Estimate| match reflection {
         Reflection::Diffuse => e.clone(),
         Reflection::Specular => scaled(e, judge.factor(e)),
     };
-    let mut row = Row::against(case, "truth", view.image(&truth.values), view.surfaces());
+    let mut row = Row::against(case, "reference", view.image(&truth.values), view.surfaces());
     for backend in desk.backends() {
         let mut shoot = |label: &str, method: &dyn Configured| {
             let shot = desk.shot(room, backend, method, quantity, &points)?;
             let estimate = brought(&shot.estimate);
             finding.measure((case, format!("relMSE {label}")), backend, judge.relmse(&estimate), "");
-            let ms = (shot.frame_ms(), ("ms", shot.run.software));
-            finding.time((case, format!("frame {label}")), backend, ms.0, ms.1);
+            let full = judge_of_all.relmse(&estimate);
+            finding.measure((case, format!("with shadows of itself {label}")), backend, full, "");
             finding.runs.push(shot.run);
             if backend == desk.backends()[0] {
                 row.add(label, view.image(&estimate));
