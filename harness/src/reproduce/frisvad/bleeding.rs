@@ -1,0 +1,140 @@
+//! Indirect light of few samples beside the truth, and beside a uniform ambient light.
+
+use super::super::desk::{Desk, Room};
+use super::super::finding::Finding;
+use super::super::judge::Judge;
+use super::super::pictures::Row;
+use super::super::place::Place;
+use super::super::verdict::{Amount, Trial};
+use crate::error::HarnessError;
+use glam::{DVec3, Vec3};
+use interreflect_estimators::Quantity;
+use interreflect_scene::{Estimate, PointLayout, Points};
+use std::f32::consts::FRAC_1_PI;
+
+/// Least correlation of colours that passes for colour bleeding.
+const ALIKE: f64 = 0.5;
+
+pub(super) fn cornell_box(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
+    in_scene(desk, "cornell-box")
+}
+
+pub(super) fn cave(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
+    in_scene(desk, "cave")
+}
+
+fn in_scene(desk: &Desk<'_>, scene: &str) -> Result<Finding, HarnessError> {
+    let mut finding = Finding::default();
+    let room = desk.room(&Place::of(scene), &mut finding)?;
+    compare(desk, &room, scene, &mut finding)?;
+    Ok(finding)
+}
+
+/// Compares maps of 3×3 samples in a scene that is set up.
+pub(super) fn compare(
+    desk: &Desk<'_>,
+    room: &Room<'_>,
+    case: &str,
+    finding: &mut Finding,
+) -> Result<(), HarnessError> {
+    let view = desk.view(room)?;
+    let quantity = Quantity::Irradiance;
+    let points = view.points(quantity.layout());
+    let materials = view.points(PointLayout::Material);
+    let mut references = desk.references(room, quantity, &points);
+    let truth = references.truth();
+    let judge = Judge::new(truth, &points);
+    let ambient = uniform(&truth.values, &points);
+    let lit = |e: &Estimate| view.lit(&reflected(&materials, e));
+    let title = format!("{case}: direct and indirect light");
+    let mut row = Row::against(title, "path tracing", lit(&truth.values), view.surfaces());
+    row.add("direct light alone", view.lit(&Estimate::new(points.len())));
+    row.add("best uniform ambient light", lit(&ambient));
+    let mut alone = Row::plain(format!("{case}: indirect light alone"));
+    alone.add("path tracing", view.image(&reflected(&materials, &truth.values)));
+    for backend in desk.backends() {
+        for fidelity in ["published", "corrected"] {
+            let map = desk.method("direct_radiance_map", &[("fidelity", &fidelity)])?;
+            let shot = desk.shot(room, backend, &*map, quantity, &points)?;
+            let estimate = &shot.estimate;
+            let alike = Amount::exact(correlation(estimate, &truth.values));
+            let energy = Amount::exact(sum(estimate).element_sum() / sum(&truth.values).element_sum());
+            let relmse = judge.relmse(estimate);
+            for (name, amount) in [("relMSE", relmse), ("energy", energy), ("correlation of colours", alike)] {
+                finding.measure((format!("{case}, {fidelity}"), name), backend, amount, "");
+            }
+            if backend == desk.backends()[0] {
+                row.add(fidelity, lit(estimate));
+                alone.add(fidelity, view.image(&reflected(&materials, estimate)));
+            }
+            if fidelity == "published" {
+                let what = format!("{case}: nearer than uniform ambient light");
+                finding.trials.push(judge.nearer(what, backend, estimate, &ambient));
+                let what = format!("{case}: a half below the correlation of colours");
+                finding.trials.push(Trial::less(what, backend, Amount::exact(ALIKE), alike));
+            }
+            finding.runs.push(shot.run);
+        }
+    }
+    let at = (format!("{case}, uniform ambient light"), "relMSE");
+    finding.measure(at, desk.backends()[0], judge.relmse(&ambient), "");
+    finding.pictures.extend([row, alone]);
+    Ok(())
+}
+
+/// The same colour at every point that has a surface: the mean of all.
+pub(super) fn uniform(of: &Estimate, points: &Points) -> Estimate {
+    let surfaces: Vec<usize> = (0..points.len()).filter(|&i| points.get(i).is_some()).collect();
+    let total: DVec3 = surfaces.iter().map(|&i| of.get(i).as_dvec3()).sum();
+    let mean = (total / surfaces.len().max(1) as f64).as_vec3();
+    let mut all = Estimate::new(of.len());
+    for i in surfaces {
+        all.set(i, mean);
+    }
+    all
+}
+
+/// What diffuse surfaces reflect of an irradiance.
+pub(super) fn reflected(materials: &Points, irradiance: &Estimate) -> Estimate {
+    let mut all = Estimate::new(irradiance.len());
+    for (i, point) in materials.iter().enumerate() {
+        let albedo = point.map_or(Vec3::ZERO, |p| p.material.diffuse);
+        all.set(i, irradiance.get(i) * albedo * FRAC_1_PI);
+    }
+    all
+}
+
+fn sum(estimate: &Estimate) -> DVec3 {
+    estimate.iter().map(|v| v.as_dvec3()).sum()
+}
+
+/// Pearson's correlation of red less green over their sum, at points that have either.
+fn correlation(a: &Estimate, b: &Estimate) -> f64 {
+    let colour = |v: Vec3| {
+        let v = v.as_dvec3();
+        (v.x + v.y > 0.0).then(|| (v.x - v.y) / (v.x + v.y))
+    };
+    let pairs = a.iter().zip(b.iter()).filter_map(|(a, b)| Some((colour(a)?, colour(b)?)));
+    let pairs: Vec<(f64, f64)> = pairs.collect();
+    let n = pairs.len().max(1) as f64;
+    let mean = |f: &dyn Fn(&(f64, f64)) -> f64| pairs.iter().map(f).sum::<f64>() / n;
+    let (ma, mb) = (mean(&|p| p.0), mean(&|p| p.1));
+    let covariance = mean(&|p| (p.0 - ma) * (p.1 - mb));
+    covariance / (mean(&|p| (p.0 - ma).powi(2)) * mean(&|p| (p.1 - mb).powi(2))).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn colours_correlate_whatever_their_brightness() {
+        let (mut a, mut b) = (Estimate::new(4), Estimate::new(4));
+        for i in 0..4 {
+            let red = i as f32;
+            a.set(i, Vec3::new(red, 3.0, 0.0));
+            b.set(i, Vec3::new(red, 3.0, 1.0) * (1.0 + red));
+        }
+        assert!((correlation(&a, &b) - 1.0).abs() < 1e-9);
+    }
+}

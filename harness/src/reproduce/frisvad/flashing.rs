@@ -1,0 +1,129 @@
+//! What a moving light does from frame to frame.
+
+use super::super::desk::Desk;
+use super::super::finding::Finding;
+use super::super::pictures::Row;
+use super::super::place::Place;
+use super::super::verdict::{Amount, Trial};
+use crate::error::HarnessError;
+use crate::record::Backend;
+use crate::view::View;
+use glam::{Quat, Vec3};
+use interreflect_estimators::Quantity;
+use interreflect_scene::{Estimate, Light, Points, Scene};
+
+/// How many times smoother a map of all texels is where few samples flash.
+const FLASHES: f64 = 2.0;
+
+/// What averaging has to leave at most.
+const REDUCED: f64 = 0.8;
+
+/// Name, samples along the edge, texels along the edge, fidelity and averaging of what is compared.
+const MAPS: [(&str, u32, u32, &str, bool); 3] = [
+    ("3×3 samples", 3, 16, "published", false),
+    ("3×3 samples, averaged", 3, 16, "published", true),
+    ("all of 64×64 texels", 64, 64, "corrected", false),
+];
+
+pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
+    let mut finding = Finding::default();
+    let rest = desk.scene(&Place::of("cornell-box").set("light.angle", 100), &mut finding)?;
+    let room = desk.set_up(&rest)?;
+    let view = desk.view(&room)?;
+    let points = view.points(Quantity::Irradiance.layout());
+    for backend in desk.backends() {
+        let mut flicker = Vec::new();
+        let mut rows = Row::plain(format!("frames beside each other, {backend}"));
+        for map in MAPS {
+            let frames = sequence(desk, &rest, (&points, backend), map)?;
+            let value = second_difference(&frames);
+            finding.measure((map.0, "second difference / mean"), backend, Amount::exact(value), "");
+            flicker.push(value);
+            pictures(&view, &frames, map.0, &mut rows);
+        }
+        let what = format!("{FLASHES} times the second difference of all texels below that of 3×3 samples");
+        finding.trials.push(Trial::less_by(what, backend, (FLASHES * flicker[2], flicker[0]), 0.0));
+        let what = format!("second difference with averaging below {REDUCED} of that without");
+        finding.trials.push(Trial::less_by(what, backend, (flicker[1], REDUCED * flicker[0]), 0.0));
+        finding.pictures.push(rows);
+    }
+    Ok(finding)
+}
+
+fn sequence(
+    desk: &Desk<'_>,
+    rest: &Scene,
+    (points, backend): (&Points, Backend),
+    (_, samples, texels, fidelity, mip): (&str, u32, u32, &str, bool),
+) -> Result<Vec<Estimate>, HarnessError> {
+    let map = desk.method(
+        "direct_radiance_map",
+        &[
+            ("samples_per_side", &samples),
+            ("map_resolution", &texels),
+            ("fidelity", &fidelity),
+            ("mip", &mip),
+        ],
+    )?;
+    let count = desk.pick(16, 60);
+    let frame = |index: u32| {
+        let room = desk.set_up(&swung(rest, index as f32 / 30.0))?;
+        let shot = desk.shot(&room, backend, &*map, Quantity::Irradiance, points)?;
+        Ok(shot.estimate)
+    };
+    (0..count).map(frame).collect()
+}
+
+/// The scene with its spot light swinging about the axis into the box, 20° a second.
+fn swung(rest: &Scene, time_s: f32) -> Scene {
+    let mut scene = rest.clone();
+    let turn = Quat::from_axis_angle(Vec3::Z, (20.0 * time_s - 10.0).to_radians());
+    for light in &mut scene.lights {
+        if let Light::Spot { direction, up, .. } = light {
+            (*direction, *up) = (turn * *direction, turn * *up);
+        }
+    }
+    scene
+}
+
+/// Mean of |E(t−1) − 2E(t) + E(t+1)| over the mean of E: 0 for light that grows or moves steadily.
+fn second_difference(frames: &[Estimate]) -> f64 {
+    let (mut difference, mut sum) = (0.0, 0.0);
+    for three in frames.windows(3) {
+        for ((a, b), c) in three[0].iter().zip(three[1].iter()).zip(three[2].iter()) {
+            difference += f64::from((a - 2.0 * b + c).abs().element_sum());
+            sum += f64::from(b.element_sum());
+        }
+    }
+    difference / sum
+}
+
+/// The two frames between which most changes.
+fn pictures(view: &View, frames: &[Estimate], name: &str, row: &mut Row) {
+    let change = |pair: &[Estimate]| -> f32 {
+        let both = pair[0].iter().zip(pair[1].iter());
+        both.map(|(a, b)| (a - b).abs().element_sum()).sum()
+    };
+    let pairs = frames.windows(2).enumerate();
+    let most = pairs.max_by(|a, b| change(a.1).total_cmp(&change(b.1)));
+    if let Some((index, pair)) = most {
+        row.add(format!("{name}, frame {index}"), view.image(&pair[0]));
+        row.add(format!("{name}, frame {}", index + 1), view.image(&pair[1]));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn steady_change_does_not_flash() {
+        let frame = |v: f32| {
+            let mut e = Estimate::new(1);
+            e.set(0, Vec3::splat(v));
+            e
+        };
+        assert_eq!(second_difference(&[frame(1.0), frame(2.0), frame(3.0)]), 0.0);
+        assert!((second_difference(&[frame(1.0), frame(2.0), frame(1.0)]) - 1.0).abs() < 1e-6);
+    }
+}
