@@ -67,7 +67,7 @@ impl<'a> Desk<'a> {
     /// When references are good enough.
     pub(super) fn stop(&self) -> Stop {
         Stop {
-            samples: Some(self.pick(128, 2048)),
+            samples: Some(self.pick(64, 2048)),
             ..Stop::default()
         }
     }
@@ -106,8 +106,13 @@ impl<'a> Desk<'a> {
 
     /// What a room's camera sees, cropped to about as many shaded points as a picture has.
     pub(super) fn view(&self, room: &Room<'_>) -> Result<View, HarnessError> {
+        self.view_of(room, self.points())
+    }
+
+    /// As [`Self::view`], of about as many points as said.
+    pub(super) fn view_of(&self, room: &Room<'_>, count: usize) -> Result<View, HarnessError> {
         let scene = &*room.cpu;
-        let (camera, count) = (scene.scene().camera, self.points());
+        let camera = scene.scene().camera;
         self.lab.cpu.install(|| View::of_about(scene, &camera, count))
     }
 

@@ -47,11 +47,6 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// Whether there is anything to compare.
-    pub(super) fn is_empty(&self) -> bool {
-        self.at.is_empty()
-    }
-
     /// Mean of the reference over points and channels.
     pub(super) fn mean(&self) -> f64 {
         self.mean_of(|i| self.r(i))

@@ -25,7 +25,7 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
     let bright = turned(desk.scene(&place, &mut finding)?);
     let black = turned(desk.scene(&place.clone().set("mirror.specular", 0), &mut finding)?);
     let (bright, black) = (desk.set_up(&bright)?, desk.set_up(&black)?);
-    let view = desk.view(&bright)?;
+    let view = desk.view_of(&bright, desk.pick(4_000, 20_000))?;
     let points = view.points(quantity.layout());
     let materials = view.points(PointLayout::Material);
     let model = desk.method("direct_radiance_map", &[])?.model(quantity);

@@ -35,8 +35,6 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
     }
     let middle = moved(&scene, 0.5);
     bleeding::compare(desk, &desk.set_up(&middle)?, "middle of the sequence", &mut finding)?;
-    // The colours of this scene are not what the figure is about.
-    finding.trials.retain(|t| !t.what.contains("correlation"));
     Ok(finding)
 }
 

@@ -11,10 +11,14 @@ mod rates;
 
 use super::{Experiment, Paper};
 
-const RULE_OF_BLEEDING: &str = "A trial is a quantity on a backend: irradiance by 3×3 samples is nearer to \
+const RULE_OF_COLOUR: &str = "A trial is one of these on a backend: irradiance by 3×3 samples is nearer to \
     path-traced truth, in relMSE and beyond its noise, than the best uniform ambient light, which has the \
-    truth's mean colour; and its colour bleeding (red less green over their sum, point by point) correlates \
-    with the truth's by more than a half.";
+    truth's mean colour; more than half of the truth's light arrives; and the colours (red less green over \
+    their sum, weighted by the truth's brightness) correlate with the truth's by more than a half.";
+
+const RULE_OF_LIGHT: &str = "A trial is one of these on a backend: irradiance by 3×3 samples is nearer to \
+    path-traced truth, in relMSE and beyond its noise, than the best uniform ambient light, which has the \
+    truth's mean colour; and more than half of the truth's light arrives.";
 
 pub(super) const EXPERIMENTS: &[Experiment] = &[
     Experiment {
@@ -24,7 +28,7 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         title: "Cornell box beside radiosity",
         claim: "Colour bleeding in the Cornell box is comparable with radiosity's. Path tracing stands in \
             for radiosity.",
-        rule: RULE_OF_BLEEDING,
+        rule: RULE_OF_COLOUR,
         run: bleeding::cornell_box,
     },
     Experiment {
@@ -34,7 +38,7 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         title: "cave beside a photon map",
         claim: "Light of a lantern in a cave is comparable with a photon map's. Path tracing stands in for \
             the photon map.",
-        rule: RULE_OF_BLEEDING,
+        rule: RULE_OF_LIGHT,
         run: bleeding::cave,
     },
     Experiment {
@@ -115,8 +119,9 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         item: "§5",
         title: "flashing while the light moves",
         claim: "Few samples make the light flash while it moves; mip averaging reduces that.",
-        rule: "A trial is a backend: the second difference from frame to frame, over the mean, is more than \
-            twice that of a map of all texels without averaging; and less than 80 % of that with averaging.",
+        rule: "A trial is a scene and a backend: flicker, the mean second difference from frame to frame over \
+            the mean, is without averaging more than twice that of a map of 64² texels, all taken; and with \
+            averaging less than 80 % of that without. The light swings by 1° a frame.",
         run: flashing::run,
     },
 ];

@@ -26,7 +26,8 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
     let place = Place::of("studio")
         .with(&desk.mesh("buddha"))
         .under(environment)
-        .set("receiver.specular", 1);
+        .set("receiver.diffuse", 0.4)
+        .set("receiver.specular", 0.6);
     let room = desk.room(&place, &mut finding)?;
     let view = desk.view(&room)?;
     let points = view.points(PointLayout::Material);

@@ -41,8 +41,9 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         title: "box filter against the Phong filter, N = 225",
         claim: "The box filter of mip levels looks like the Phong filter of N = 225, and is fast enough \
             for every frame.",
-        rule: "A trial is an environment and a backend: at the matching level mirrored light differs by \
-            less than 10 % rms of its mean from the Phong filter's; and preparation takes less than a \
+        rule: "A trial is an environment and a backend: at the matching level mirrored light, \
+            clipped at the white of the picture as a display does, differs by less than 10 % rms of its mean \
+            from the Phong filter's; and preparation takes less than a \
             tenth of the Phong filter's time, beyond the spread of both.",
         run: phong::run,
     },

@@ -31,7 +31,7 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
         let mut references =
             desk.references(&moment.room, Quantity::AmbientOcclusion, &moment.points);
         let truth = references.truth();
-        let judge = Judge::new(truth, &moment.points);
+        let judge = Judge::at(&truth.values, Some(&truth.error), moment.seen());
         let (view, title) = (&moment.view, format!("at {time_s} s"));
         let mut row = Row::against(&*title, "traced rays", view.image(&truth.values), view.surfaces());
         for (backend, running, at_rest) in &mut running {

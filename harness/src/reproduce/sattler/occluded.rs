@@ -61,7 +61,7 @@ fn compare(
     for backend in desk.backends() {
         let occluded = desk.method(
             "directional_ao",
-            &[("level", &desk.pick(2, 3)), ("map_resolution", &desk.pick(128, 512))],
+            &[("level", &desk.pick(3, 4)), ("map_resolution", &desk.pick(96, 512))],
         )?;
         let open = desk.method("sh_mip_envmap", &[])?;
         let mut estimates = Vec::new();
@@ -69,15 +69,17 @@ fn compare(
             let shot = desk.shot(&room, backend, &*method, quantity, &points)?;
             let at = |name: &str| (case.to_owned(), format!("{name}, {label}"));
             finding.measure(at("relMSE"), backend, judge.relmse(&shot.estimate), "");
-            finding.measure(at("against black surfaces"), backend, own.relmse(&shot.estimate), "");
+            finding.measure(at("relMSE to occluded environment light"), backend, own.relmse(&shot.estimate), "");
             if backend == desk.backends()[0] {
                 row.add(label, view.image(&shot.estimate));
             }
             estimates.push(shot.estimate);
             finding.runs.push(shot.run);
         }
-        let what = format!("{case}: with occlusion nearer than without");
-        finding.trials.push(judge.nearer(what, backend, &estimates[1], &estimates[0]));
+        for (judge, reference) in [(&judge, "all light"), (&own, "occluded environment light")] {
+            let what = format!("{case}: nearer to {reference} with occlusion than without");
+            finding.trials.push(judge.nearer(what, backend, &estimates[1], &estimates[0]));
+        }
     }
     finding.pictures.push(row);
     Ok(())

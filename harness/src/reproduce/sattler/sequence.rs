@@ -30,6 +30,18 @@ impl<'a> Moment<'a> {
         Ok(Self { room, view, points })
     }
 
+    /// Indices of the vertices that some pixel shows.
+    pub(super) fn seen(&self) -> Vec<usize> {
+        let Some(seen) = self.view.seen() else {
+            return Vec::new();
+        };
+        let corners = seen.visible.iter().flat_map(|&t| seen.triangles[t as usize]);
+        let mut vertices: Vec<usize> = corners.map(|v| v as usize).collect();
+        vertices.sort_unstable();
+        vertices.dedup();
+        vertices
+    }
+
     /// The next frame of a session shows it.
     pub(super) fn shade(
         &self,

@@ -14,9 +14,9 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         title: "spikes near a wall",
         claim: "Point-to-point form factors spike near a wall, point-to-polygon form factors do not. Taken \
             as: a plane that faces a wall of a coloured room, ever nearer, M = 4.",
-        rule: "A trial is a distance and a backend: the largest excess over the truth, in means of the \
-            truth and beyond its noise, is for polygons less than half of that for points; and within a \
-            tenth of the room's half-width points exceed it by more than its mean.",
+        rule: "A trial is a distance, within a quarter of a texel's width, and a backend: the largest excess \
+            over the truth, beyond its noise, is for points more than the truth's mean, and for polygons, \
+            published and corrected, less than half of that for points.",
         run: plane::run,
     },
     Experiment {
@@ -26,7 +26,7 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         title: "an object on the floor, beside the reference",
         claim: "Of classic mapping, point-to-point and point-to-polygon form factors, polygons look most \
             like the reference. Taken as: a model a centimetre above the floor, M = 4 and 8.",
-        rule: "A trial is an M, a rival and a backend: polygons' relMSE against path-traced truth is below \
+        rule: "A trial is an M, a fidelity, a rival and a backend: polygons' relMSE against path-traced truth is below \
             that of points and of classic mapping, beyond the reference's noise. Captures hold four \
             reflections; the reference leaves out the model's shadows on itself, which no map has.",
         run: object::run,
@@ -40,7 +40,7 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
             interactive. The authors' talk names 600, 60 and 11 frames a second.",
         rule: "A trial is a pair on a backend: shading by polygons takes longer than by points, and by \
             points longer than by classic mapping, beyond the spread of both; polygons take less than ten \
-            times as long as points; and a frame that keeps its map takes less than 100 ms.",
+            times as long as points; and shading by them takes less than 100 ms.",
         run: cost::run,
     },
 ];

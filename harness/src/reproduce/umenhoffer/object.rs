@@ -53,10 +53,13 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
             let classic = shoot("classic", "classic_envmap", &[four])?;
             let point = shoot("points", "point_form_factor", &[four, edge])?;
             let polygon = shoot("polygons", "polygon_form_factor", &[four, edge])?;
-            shoot("corrected polygons", "polygon_form_factor", &[four, edge, corrected])?;
-            for (rival, estimate) in [("points", &point), ("classic mapping", &classic)] {
-                let what = format!("M = {m}: polygons nearer than {rival}");
-                finding.trials.push(judge.nearer(what, backend, &polygon, estimate));
+            let mended =
+                shoot("corrected polygons", "polygon_form_factor", &[four, edge, corrected])?;
+            for (fidelity, polygon) in [("published", &polygon), ("corrected", &mended)] {
+                for (rival, estimate) in [("points", &point), ("classic mapping", &classic)] {
+                    let what = format!("M = {m}: {fidelity} polygons nearer than {rival}");
+                    finding.trials.push(judge.nearer(what, backend, polygon, estimate));
+                }
             }
         }
         finding.pictures.push(row);
