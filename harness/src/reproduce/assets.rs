@@ -62,7 +62,9 @@ impl Assets {
 
     /// An environment map by its name without an ending.
     pub(super) fn environment(&self, name: &str) -> Option<PathBuf> {
-        ["hdr", "exr"].iter().find_map(|ending| self.file(&format!("envmaps/{name}.{ending}")))
+        ["hdr", "exr"]
+            .iter()
+            .find_map(|ending| self.file(&format!("envmaps/{name}.{ending}")))
     }
 
     /// A scene by its name without an ending.
@@ -84,6 +86,10 @@ mod tests {
     fn a_missing_model_is_replaced_and_said_so() {
         let model = Assets::within(Vec::new()).mesh("bunny");
         assert_eq!(model.receiver, Path::new("blob"));
-        assert!(model.note.is_some_and(|n| n.starts_with("bunny.obj not found: blob in its place")));
+        assert!(
+            model
+                .note
+                .is_some_and(|n| n.starts_with("bunny.obj not found: blob in its place"))
+        );
     }
 }

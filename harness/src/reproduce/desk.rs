@@ -5,8 +5,8 @@ use super::finding::Finding;
 use super::place::{Place, setting};
 use super::verdict::Amount;
 use crate::error::HarnessError;
-use crate::lab::Lab;
 use crate::frames::{Frame, Shaded};
+use crate::lab::Lab;
 use crate::record::{Backend, Phases, Run, Timing};
 use crate::stages::{Running, Stages};
 use crate::truth::References;
@@ -83,11 +83,16 @@ impl<'a> Desk<'a> {
     }
 
     /// Opens a scene; what takes something's place in it is noted.
-    pub(super) fn scene(&self, place: &Place, finding: &mut Finding) -> Result<Scene, HarnessError> {
+    pub(super) fn scene(
+        &self,
+        place: &Place,
+        finding: &mut Finding,
+    ) -> Result<Scene, HarnessError> {
         for note in &place.notes {
             finding.note(note.as_str());
         }
-        self.lab.scene(&place.source, &place.options, &place.settings)
+        self.lab
+            .scene(&place.source, &place.options, &place.settings)
     }
 
     /// Sets a scene up on the backends.
@@ -100,7 +105,11 @@ impl<'a> Desk<'a> {
     }
 
     /// Opens a scene and sets it up.
-    pub(super) fn room(&self, place: &Place, finding: &mut Finding) -> Result<Room<'a>, HarnessError> {
+    pub(super) fn room(
+        &self,
+        place: &Place,
+        finding: &mut Finding,
+    ) -> Result<Room<'a>, HarnessError> {
         self.set_up(&self.scene(place, finding)?)
     }
 
@@ -113,7 +122,9 @@ impl<'a> Desk<'a> {
     pub(super) fn view_of(&self, room: &Room<'_>, count: usize) -> Result<View, HarnessError> {
         let scene = &*room.cpu;
         let camera = scene.scene().camera;
-        self.lab.cpu.install(|| View::of_about(scene, &camera, count))
+        self.lab
+            .cpu
+            .install(|| View::of_about(scene, &camera, count))
     }
 
     /// What a room's camera sees, `width` pixels wide.
@@ -139,7 +150,9 @@ impl<'a> Desk<'a> {
         id: &str,
         parameters: &[(&str, &dyn ToString)],
     ) -> Result<Box<dyn Configured>, HarnessError> {
-        let settings = parameters.iter().map(|(name, value)| setting(name, value.to_string()));
+        let settings = parameters
+            .iter()
+            .map(|(name, value)| setting(name, value.to_string()));
         self.lab.configure(id, &settings.collect::<Vec<_>>())
     }
 
@@ -189,7 +202,9 @@ impl<'a> Desk<'a> {
         (quantity, points): (Quantity, &Points),
         repeat: usize,
     ) -> Result<Shot, HarnessError> {
-        let timed = room.stages.measure(backend, method, quantity, points, repeat)?;
+        let timed = room
+            .stages
+            .measure(backend, method, quantity, points, repeat)?;
         let values = method.values().into_iter();
         let run = Run {
             fidelity: method.fidelity().map(str::to_owned),
@@ -229,7 +244,8 @@ impl<'a> Desk<'a> {
             points,
             seen,
         };
-        room.stages.next_frame(backend, running, method, quantity, &frame)
+        room.stages
+            .next_frame(backend, running, method, quantity, &frame)
     }
 
     /// Whether times of a backend are a software adapter's.
@@ -252,7 +268,10 @@ impl Shot {
 
     /// Milliseconds of preparation.
     pub(super) fn prepare_ms(&self) -> Amount {
-        self.run.phases_ms.prepare.map_or(Amount::exact(0.0), amount)
+        self.run
+            .phases_ms
+            .prepare
+            .map_or(Amount::exact(0.0), amount)
     }
 
     /// Milliseconds of shading.

@@ -31,11 +31,7 @@ impl<'a> Judge<'a> {
     }
 
     /// A reference at some indices; without errors it is exact.
-    pub(super) fn at(
-        reference: &'a Estimate,
-        error: Option<&'a Estimate>,
-        at: Vec<usize>,
-    ) -> Self {
+    pub(super) fn at(reference: &'a Estimate, error: Option<&'a Estimate>, at: Vec<usize>) -> Self {
         let magnitude = |i: &usize| reference.get(*i).as_dvec3().abs().element_sum() / 3.0;
         let mean = at.iter().map(magnitude).sum::<f64>() / at.len().max(1) as f64;
         let epsilon = (EPSILON_FRACTION * mean).powi(2).max(f64::MIN_POSITIVE);
@@ -81,7 +77,11 @@ impl<'a> Judge<'a> {
             self.mean_of(|i| self.weight(i) * f(e.get(i).as_dvec3(), self.r(i)))
         };
         let square = sum(&|e, _| e * e);
-        if square > 0.0 { sum(&|e, r| e * r) / square } else { 1.0 }
+        if square > 0.0 {
+            sum(&|e, r| e * r) / square
+        } else {
+            1.0
+        }
     }
 
     /// The largest excess of an estimate over the reference plus three standard errors, mean of the
@@ -153,14 +153,25 @@ mod tests {
 
     #[test]
     fn what_is_nearer_is_told_unless_noise_hides_it() {
-        let (reference, near, far) = (estimate(&[1.0; 9]), estimate(&[1.1; 9]), estimate(&[1.3; 9]));
-        for (error, outcome) in [(0.0, Outcome::Holds), (0.01, Outcome::Holds), (2.0, Outcome::Undecided)] {
+        let (reference, near, far) = (
+            estimate(&[1.0; 9]),
+            estimate(&[1.1; 9]),
+            estimate(&[1.3; 9]),
+        );
+        for (error, outcome) in [
+            (0.0, Outcome::Holds),
+            (0.01, Outcome::Holds),
+            (2.0, Outcome::Undecided),
+        ] {
             let error = estimate(&[error; 9]);
             let judge = Judge::at(&reference, Some(&error), (0..9).collect());
             assert_eq!(judge.nearer("", Backend::Cpu, &near, &far).outcome, outcome);
         }
         let exact = Judge::at(&reference, None, (0..9).collect());
-        assert_eq!(exact.nearer("", Backend::Cpu, &far, &near).outcome, Outcome::Fails);
+        assert_eq!(
+            exact.nearer("", Backend::Cpu, &far, &near).outcome,
+            Outcome::Fails
+        );
         assert!((exact.relmse(&near).value - 0.01).abs() < 1e-4);
         assert!((exact.relative_rms(&far) - 0.3).abs() < 1e-6);
     }

@@ -1,9 +1,9 @@
 //! `reproduce.html`: one file with an entry an experiment, without scripts or other files.
 
+use super::Paper;
 use super::finding::Measure;
 use super::pictures::Shown;
 use super::record::{Entry, Record, Reproduced};
-use super::Paper;
 use crate::error::HarnessError;
 use crate::output::{colour_stops, write_atomically};
 use crate::report::ReportError;
@@ -64,7 +64,11 @@ impl<'a> Page<'a> {
         let section = |paper: Paper| Section {
             id: paper.id(),
             title: paper.title(),
-            entries: entries.iter().filter(|e| e.paper == paper).map(shape).collect(),
+            entries: entries
+                .iter()
+                .filter(|e| e.paper == paper)
+                .map(shape)
+                .collect(),
         };
         let papers = Paper::ALL.into_iter().map(section);
         Self {
@@ -93,7 +97,9 @@ impl<'a> Page<'a> {
         let syntax = SyntaxConfig::builder();
         environment.set_syntax({ syntax }.trim_blocks(true).lstrip_blocks(true).build()?);
         environment.add_template("reproduce.html", include_str!("page.html"))?;
-        environment.get_template("reproduce.html")?.render(Serde(self))
+        environment
+            .get_template("reproduce.html")?
+            .render(Serde(self))
     }
 }
 
@@ -124,7 +130,11 @@ fn table(measured: &[Measure]) -> Table {
         }
     }
     let line = |(case, backend): (&str, Backend)| {
-        let of_line = || measured.iter().filter(|m| m.case == case && m.backend == backend);
+        let of_line = || {
+            measured
+                .iter()
+                .filter(|m| m.case == case && m.backend == backend)
+        };
         let cell = |column: &String| {
             let found = of_line().find(|m| heading(m) == *column);
             found.map_or(String::new(), number)

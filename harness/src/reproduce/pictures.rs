@@ -78,7 +78,9 @@ impl Row {
         let surfaces = self.errors_at.as_ref()?;
         let ((_, reference), others) = self.pictures.split_first()?;
         let at = |i: usize| surfaces.get(i) == Some(&true);
-        let maps = others.iter().filter_map(|(_, image)| ErrorMap::new(image, reference, at));
+        let maps = others
+            .iter()
+            .filter_map(|(_, image)| ErrorMap::new(image, reference, at));
         let maps: Vec<_> = maps.collect();
         let range = error_range(&maps);
         Some((maps, range)).filter(|(maps, _)| !maps.is_empty())
@@ -99,7 +101,10 @@ impl Row {
     /// All pictures beside each other, the errors below.
     pub(super) fn overview(&self) -> RgbaImage {
         let (exposure, errors) = (self.exposure(), self.errors());
-        let upper = self.pictures.iter().map(|(_, image)| enlarged(image.tone_mapped(exposure)));
+        let upper = self
+            .pictures
+            .iter()
+            .map(|(_, image)| enlarged(image.tone_mapped(exposure)));
         let upper: Vec<_> = upper.collect();
         let lower: Vec<_> = match &errors {
             Some((maps, range)) => maps.iter().map(|m| enlarged(m.coloured(*range))).collect(),
@@ -166,7 +171,13 @@ fn data_uri(picture: RgbaImage, name: &str) -> Result<String, HarnessError> {
 
 /// Words as a file's name: letters, digits and points, everything else a dash.
 fn file_name(words: &str) -> String {
-    let plain = |c: char| if c.is_ascii_alphanumeric() || c == '.' { c } else { '-' };
+    let plain = |c: char| {
+        if c.is_ascii_alphanumeric() || c == '.' {
+            c
+        } else {
+            '-'
+        }
+    };
     let name: String = words.chars().map(plain).collect();
     let parts: Vec<&str> = name.split('-').filter(|p| !p.is_empty()).collect();
     parts.join("-").to_ascii_lowercase()

@@ -133,7 +133,13 @@ impl Entry {
 
     /// The verdict's words.
     pub fn line(&self) -> String {
-        let Record { id, item, verdict, why, .. } = &self.record;
+        let Record {
+            id,
+            item,
+            verdict,
+            why,
+            ..
+        } = &self.record;
         format!("{id:<22} {item:<9} {verdict:<14} {why}")
     }
 }

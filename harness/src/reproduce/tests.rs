@@ -12,9 +12,15 @@ fn every_figure_and_table_is_there_once() {
     let expected = [
         of("szirmay-kalos", &["3", "6", "7", "8", "amortised"]),
         of("kautz", &["3", "4", "5", "6"]),
-        of("frisvad", &["3", "4", "5", "6", "7", "8", "9", "table1", "flashing"]),
+        of(
+            "frisvad",
+            &["3", "4", "5", "6", "7", "8", "9", "table1", "flashing"],
+        ),
         of("umenhoffer", &["4", "5", "6"]),
-        of("sattler", &["4", "5", "6", "7", "8", "9", "table1", "frame-rate"]),
+        of(
+            "sattler",
+            &["4", "5", "6", "7", "8", "9", "table1", "frame-rate"],
+        ),
     ]
     .concat();
     assert_eq!(ids, expected);
@@ -24,9 +30,15 @@ fn every_figure_and_table_is_there_once() {
 #[test]
 fn an_experiment_belongs_to_the_paper_that_its_id_names() {
     for e in experiments() {
-        let item = e.id.strip_prefix(e.paper.id()).and_then(|rest| rest.strip_prefix('.'));
+        let item =
+            e.id.strip_prefix(e.paper.id())
+                .and_then(|rest| rest.strip_prefix('.'));
         assert!(item.is_some_and(|item| !item.is_empty()), "{}", e.id);
-        assert!(!e.claim.is_empty() && !e.rule.is_empty(), "{} says too little", e.id);
+        assert!(
+            !e.claim.is_empty() && !e.rule.is_empty(),
+            "{} says too little",
+            e.id
+        );
     }
 }
 
@@ -41,5 +53,8 @@ fn names_choose_experiments_papers_or_all() {
     assert_eq!(count(&["kautz.3", "kautz", "kautz.3"]).unwrap(), 4);
     let refused = count(&["kautz.33"]).unwrap_err();
     assert_eq!(refused.exit_code(), 2);
-    assert!(refused.to_string().contains("did you mean `kautz.3`?"), "{refused}");
+    assert!(
+        refused.to_string().contains("did you mean `kautz.3`?"),
+        "{refused}"
+    );
 }

@@ -185,7 +185,9 @@ fn sentence(trials: &[Trial]) -> String {
 /// How many trials hold on each backend, where the same trial comes out differently on them.
 fn backends_apart(trials: &[Trial]) -> Option<String> {
     let differs = |t: &Trial| {
-        let twin = trials.iter().find(|o| o.what == t.what && o.backend != t.backend);
+        let twin = trials
+            .iter()
+            .find(|o| o.what == t.what && o.backend != t.backend);
         twin.is_some_and(|twin| twin.outcome != t.outcome)
     };
     trials.iter().any(differs).then(|| {
@@ -220,7 +222,16 @@ mod tests {
         ] {
             assert_eq!(trial(Cpu, a, b, noise).outcome, outcome, "{a} {b} {noise}");
         }
-        let (a, b) = (Amount { value: 1.0, spread: 0.3 }, Amount { value: 1.45, spread: 0.4 });
+        let (a, b) = (
+            Amount {
+                value: 1.0,
+                spread: 0.3,
+            },
+            Amount {
+                value: 1.45,
+                spread: 0.4,
+            },
+        );
         assert_eq!(Trial::less("", Cpu, a, b).outcome, Outcome::Undecided);
         let b = Amount { value: 1.6, ..b };
         assert_eq!(Trial::less("", Cpu, a, b).outcome, Outcome::Holds);
@@ -265,8 +276,14 @@ mod tests {
 
     #[test]
     fn quotients_carry_their_spreads() {
-        let a = Amount { value: 6.0, spread: 0.6 };
-        let b = Amount { value: 2.0, spread: 0.0 };
+        let a = Amount {
+            value: 6.0,
+            spread: 0.6,
+        };
+        let b = Amount {
+            value: 2.0,
+            spread: 0.0,
+        };
         let q = a.over(b);
         assert!((q.value - 3.0).abs() < 1e-12 && (q.spread - 0.3).abs() < 1e-12);
         assert_eq!(Amount::exact(3.0).times(2.0), Amount::exact(6.0));

@@ -34,11 +34,15 @@ fn in_scene(desk: &Desk<'_>, scene: &str, coloured: bool) -> Result<Finding, Har
     for light in compare(desk, &room, scene, &mut finding)? {
         let enough = Amount::exact(ENOUGH);
         let what = format!("{scene}: a half below the share of the truth's light");
-        finding.trials.push(Trial::less(what, light.backend, enough, light.energy));
+        finding
+            .trials
+            .push(Trial::less(what, light.backend, enough, light.energy));
         if coloured {
             let what = format!("{scene}: a half below the correlation of colours");
             let alike = Amount::exact(ALIKE);
-            finding.trials.push(Trial::less(what, light.backend, alike, light.alike));
+            finding
+                .trials
+                .push(Trial::less(what, light.backend, alike, light.alike));
         }
     }
     Ok(finding)
@@ -75,16 +79,24 @@ pub(super) fn compare(
     row.add("direct light alone", view.lit(&Estimate::new(points.len())));
     row.add("best uniform ambient light", lit(&ambient));
     let mut alone = Row::plain(format!("{case}: indirect light alone"));
-    alone.add("path tracing", view.image(&reflected(&materials, &truth.values)));
+    alone.add(
+        "path tracing",
+        view.image(&reflected(&materials, &truth.values)),
+    );
     for backend in desk.backends() {
         for fidelity in ["published", "corrected"] {
             let map = desk.method("direct_radiance_map", &[("fidelity", &fidelity)])?;
             let shot = desk.shot(room, backend, &*map, quantity, &points)?;
             let estimate = &shot.estimate;
             let alike = Amount::exact(correlation(estimate, &truth.values));
-            let energy = Amount::exact(sum(estimate).element_sum() / sum(&truth.values).element_sum());
+            let energy =
+                Amount::exact(sum(estimate).element_sum() / sum(&truth.values).element_sum());
             let relmse = judge.relmse(estimate);
-            for (name, amount) in [("relMSE", relmse), ("energy", energy), ("correlation of colours", alike)] {
+            for (name, amount) in [
+                ("relMSE", relmse),
+                ("energy", energy),
+                ("correlation of colours", alike),
+            ] {
                 finding.measure((format!("{case}, {fidelity}"), name), backend, amount, "");
             }
             if backend == desk.backends()[0] {
@@ -93,7 +105,9 @@ pub(super) fn compare(
             }
             if fidelity == "published" {
                 let what = format!("{case}: nearer than uniform ambient light");
-                finding.trials.push(judge.nearer(what, backend, estimate, &ambient));
+                finding
+                    .trials
+                    .push(judge.nearer(what, backend, estimate, &ambient));
                 published.push(Published {
                     backend,
                     energy,
@@ -111,7 +125,9 @@ pub(super) fn compare(
 
 /// The same colour at every point that has a surface: the mean of all.
 pub(super) fn uniform(of: &Estimate, points: &Points) -> Estimate {
-    let surfaces: Vec<usize> = (0..points.len()).filter(|&i| points.get(i).is_some()).collect();
+    let surfaces: Vec<usize> = (0..points.len())
+        .filter(|&i| points.get(i).is_some())
+        .collect();
     let total: DVec3 = surfaces.iter().map(|&i| of.get(i).as_dvec3()).sum();
     let mean = (total / surfaces.len().max(1) as f64).as_vec3();
     let mut all = Estimate::new(of.len());
@@ -149,9 +165,8 @@ fn correlation(a: &Estimate, b: &Estimate) -> f64 {
     });
     let pairs: Vec<(f64, f64, f64)> = pairs.collect();
     let total: f64 = pairs.iter().map(|p| p.2).sum();
-    let mean = |f: &dyn Fn(f64, f64) -> f64| {
-        pairs.iter().map(|p| p.2 * f(p.0, p.1)).sum::<f64>() / total
-    };
+    let mean =
+        |f: &dyn Fn(f64, f64) -> f64| pairs.iter().map(|p| p.2 * f(p.0, p.1)).sum::<f64>() / total;
     let (ma, mb) = (mean(&|a, _| a), mean(&|_, b| b));
     let covariance = mean(&|a, b| (a - ma) * (b - mb));
     covariance / (mean(&|a, _| (a - ma).powi(2)) * mean(&|_, b| (b - mb).powi(2))).sqrt()

@@ -21,7 +21,9 @@ const ANGLE_DEG: f32 = 55.0;
 pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
     let mut finding = Finding::default();
     let quantity = Quantity::Irradiance;
-    let place = Place::of("cave").set("light.angle", ANGLE_DEG).set("light", 150);
+    let place = Place::of("cave")
+        .set("light.angle", ANGLE_DEG)
+        .set("light", 150);
     let bright = turned(desk.scene(&place, &mut finding)?);
     let black = turned(desk.scene(&place.clone().set("mirror.specular", 0), &mut finding)?);
     let (bright, black) = (desk.set_up(&bright)?, desk.set_up(&black)?);
@@ -38,7 +40,12 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
     let gained = total(&reference.values) - total(&without.model(model).values);
     let shown = |e: &Estimate| view.image(&reflected(&materials, e));
     let title = "indirect light of a lantern that shines at a mirror";
-    let mut row = Row::against(title, "own model", shown(&reference.values), view.surfaces());
+    let mut row = Row::against(
+        title,
+        "own model",
+        shown(&reference.values),
+        view.surfaces(),
+    );
     for backend in desk.backends() {
         for fidelity in ["published", "corrected"] {
             let map = desk.method(
@@ -50,15 +57,31 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
             let share = (total(&with.estimate) - total(&dark.estimate)) / gained;
             let at = |name: &'static str| (fidelity, name);
             finding.measure(at("relMSE"), backend, judge.relmse(&with.estimate), "");
-            finding.measure(at("relMSE, black mirror"), backend, judge.relmse(&dark.estimate), "");
-            finding.measure(at("share of mirrored light"), backend, Amount::exact(share), "");
+            finding.measure(
+                at("relMSE, black mirror"),
+                backend,
+                judge.relmse(&dark.estimate),
+                "",
+            );
+            finding.measure(
+                at("share of mirrored light"),
+                backend,
+                Amount::exact(share),
+                "",
+            );
             if fidelity == "published" {
                 let what = "with the mirror nearer than with a black one";
-                finding.trials.push(judge.nearer(what, backend, &with.estimate, &dark.estimate));
+                finding
+                    .trials
+                    .push(judge.nearer(what, backend, &with.estimate, &dark.estimate));
                 let what = "a half below the share of mirrored light";
-                finding.trials.push(Trial::less_by(what, backend, (0.5, share), 0.0));
+                finding
+                    .trials
+                    .push(Trial::less_by(what, backend, (0.5, share), 0.0));
                 let what = "share of mirrored light below two";
-                finding.trials.push(Trial::less_by(what, backend, (share, 2.0), 0.0));
+                finding
+                    .trials
+                    .push(Trial::less_by(what, backend, (share, 2.0), 0.0));
             }
             if backend == desk.backends()[0] {
                 row.add(format!("{fidelity}, 5×5"), shown(&with.estimate));

@@ -34,7 +34,12 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
         frames(desk, &scene, (backend, count), &mut finding)?;
     }
     let middle = moved(&scene, 0.5);
-    bleeding::compare(desk, &desk.set_up(&middle)?, "middle of the sequence", &mut finding)?;
+    bleeding::compare(
+        desk,
+        &desk.set_up(&middle)?,
+        "middle of the sequence",
+        &mut finding,
+    )?;
     Ok(finding)
 }
 
@@ -55,9 +60,17 @@ fn frames(
         let points = view.points(quantity.layout());
         let seen = (&points, view.seen(), MOVES);
         let on = desk.frame(&room, (&mut running, backend), &*map, quantity, seen)?;
-        let anew = desk.frame(&room, (&mut Running::default(), backend), &*map, quantity, seen)?;
+        let anew = desk.frame(
+            &room,
+            (&mut Running::default(), backend),
+            &*map,
+            quantity,
+            seen,
+        )?;
         let pairs = || on.estimate.iter().zip(anew.estimate.iter());
-        let difference = pairs().map(|(a, b)| (a - b).abs().max_element()).fold(0.0, f32::max);
+        let difference = pairs()
+            .map(|(a, b)| (a - b).abs().max_element())
+            .fold(0.0, f32::max);
         let mean = pairs().map(|(_, b)| b.element_sum()).sum::<f32>() / (3 * points.len()) as f32;
         worst = worst.max(f64::from(difference / mean));
         if index > 0 {
@@ -67,13 +80,29 @@ fn frames(
             row.add(format!("frame {index}"), shown(&view, &on.estimate));
         }
     }
-    let triangles = scene.objects.iter().map(|o| o.mesh.triangles.len()).sum::<usize>();
-    finding.measure(("sequence", "triangles"), backend, Amount::exact(triangles as f64), "");
-    finding.measure(("sequence", "largest difference / mean"), backend, Amount::exact(worst), "");
+    let triangles = scene
+        .objects
+        .iter()
+        .map(|o| o.mesh.triangles.len())
+        .sum::<usize>();
+    finding.measure(
+        ("sequence", "triangles"),
+        backend,
+        Amount::exact(triangles as f64),
+        "",
+    );
+    finding.measure(
+        ("sequence", "largest difference / mean"),
+        backend,
+        Amount::exact(worst),
+        "",
+    );
     let unit = ("ms", desk.software(backend));
     finding.time(("sequence", "frame"), backend, amount_of(&times), unit);
     let what = "sequence: largest difference from a new session, over the mean";
-    finding.trials.push(Trial::less_by(what, backend, (worst, SAME), 0.0));
+    finding
+        .trials
+        .push(Trial::less_by(what, backend, (worst, SAME), 0.0));
     finding.pictures.push(row);
     Ok(())
 }
@@ -96,7 +125,11 @@ fn large(desk: &Desk<'_>, finding: &mut Finding) -> Result<Scene, HarnessError> 
         .unwrap_or_default();
     let (middle, extent) = (0.5 * (low + high), high - low);
     let at = |x: f32, y: f32, z: f32| {
-        Vec3::new(middle.x + x * extent.x, low.y + y * extent.y, middle.z + z * extent.z)
+        Vec3::new(
+            middle.x + x * extent.x,
+            low.y + y * extent.y,
+            middle.z + z * extent.z,
+        )
     };
     scene.camera = Camera {
         eye: at(-0.33, 0.12, 0.0),

@@ -45,14 +45,30 @@ fn in_scene(desk: &Desk<'_>, scene: &str, finding: &mut Finding) -> Result<(), H
             let frames = sequence(desk, &rest, (&points, backend), map)?;
             let value = second_difference(&frames);
             let case = format!("{scene}, {}", map.0);
-            finding.measure((case, "second difference / mean"), backend, Amount::exact(value), "");
+            finding.measure(
+                (case, "second difference / mean"),
+                backend,
+                Amount::exact(value),
+                "",
+            );
             flicker.push(value);
             pictures(&view, &frames, map.0, &mut rows);
         }
-        let what = format!("{scene}: {FLASHES} times the flicker of all texels below that of 3×3 samples");
-        finding.trials.push(Trial::less_by(what, backend, (FLASHES * flicker[2], flicker[0]), 0.0));
+        let what =
+            format!("{scene}: {FLASHES} times the flicker of all texels below that of 3×3 samples");
+        finding.trials.push(Trial::less_by(
+            what,
+            backend,
+            (FLASHES * flicker[2], flicker[0]),
+            0.0,
+        ));
         let what = format!("{scene}: flicker with averaging below {REDUCED} of that without");
-        finding.trials.push(Trial::less_by(what, backend, (flicker[1], REDUCED * flicker[0]), 0.0));
+        finding.trials.push(Trial::less_by(
+            what,
+            backend,
+            (flicker[1], REDUCED * flicker[0]),
+            0.0,
+        ));
         finding.pictures.push(rows);
     }
     Ok(())
@@ -131,7 +147,10 @@ mod tests {
             e.set(0, Vec3::splat(v));
             e
         };
-        assert_eq!(second_difference(&[frame(1.0), frame(2.0), frame(3.0)]), 0.0);
+        assert_eq!(
+            second_difference(&[frame(1.0), frame(2.0), frame(3.0)]),
+            0.0
+        );
         assert!((second_difference(&[frame(1.0), frame(2.0), frame(1.0)]) - 1.0).abs() < 1e-6);
     }
 }

@@ -39,10 +39,16 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
                 finding.measure((scene, name), backend, Amount::exact(value), "");
             }
             let what = format!("{scene}: share of photons elsewhere");
-            finding.trials.push(Trial::less_by(what, backend, (elsewhere, FEW), 0.0));
+            finding
+                .trials
+                .push(Trial::less_by(what, backend, (elsewhere, FEW), 0.0));
             let what = format!("{scene}: rms error of radiance over mean");
-            finding.trials.push(Trial::less_by(what, backend, (error, FEW), 0.0));
-            finding.pictures.extend(rows(&view, &format!("{scene}, {backend}")));
+            finding
+                .trials
+                .push(Trial::less_by(what, backend, (error, FEW), 0.0));
+            finding
+                .pictures
+                .extend(rows(&view, &format!("{scene}, {backend}")));
         }
     }
     Ok(finding)
@@ -60,7 +66,9 @@ fn check(room: &Room<'_>, view: &LightViewImage) -> (usize, f64, f64) {
             let i = view_index(size, f, column, row);
             let across = |v: u32| 2.0 * (f64::from(v) + 0.5) / f64::from(size) - 1.0;
             let (origin, along) = frame.ray(across(column), across(row));
-            let hit = room.cpu.closest(geometry, origin, along.as_vec3(), geometry.ray_start());
+            let hit = room
+                .cpu
+                .closest(geometry, origin, along.as_vec3(), geometry.ray_start());
             let Some(hit) = hit.filter(|h| view.path_m[i] > 0.0 && !h.material.mirror) else {
                 continue;
             };
@@ -71,17 +79,23 @@ fn check(room: &Room<'_>, view: &LightViewImage) -> (usize, f64, f64) {
                 continue;
             }
             let light = &scene.lights[frame.light as usize];
-            let radiance = light.incident(hit.position.as_vec3()).map_or(Vec3::ZERO, |incident| {
-                let cosine = hit.geometric_normal.dot(incident.to_light).abs();
-                hit.material.albedo * FRAC_1_PI * incident.irradiance * cosine
-            });
+            let radiance = light
+                .incident(hit.position.as_vec3())
+                .map_or(Vec3::ZERO, |incident| {
+                    let cosine = hit.geometric_normal.dot(incident.to_light).abs();
+                    hit.material.albedo * FRAC_1_PI * incident.irradiance * cosine
+                });
             square += (view.radiance[i] - radiance).as_dvec3().powf(2.0);
             sum += radiance.as_dvec3();
         }
     }
     let n = photons.max(1) as f64;
     let rms = (square.element_sum() / (3.0 * n)).sqrt();
-    (photons, elsewhere as f64 / n, rms / (sum.element_sum() / (3.0 * n)))
+    (
+        photons,
+        elsewhere as f64 / n,
+        rms / (sum.element_sum() / (3.0 * n)),
+    )
 }
 
 /// A row for each channel, as it needs an exposure of its own.
@@ -98,7 +112,9 @@ fn rows(view: &LightViewImage, case: &str) -> Vec<Row> {
         ("radiance", view.radiance.clone()),
         ("normals", coloured(&view.normal, &|n| 0.5 + 0.5 * n)),
     ];
-    let there = channels.into_iter().filter(|(_, values)| !values.is_empty());
+    let there = channels
+        .into_iter()
+        .filter(|(_, values)| !values.is_empty());
     let row = |(name, values): (&str, Vec<Vec3>)| {
         let mut row = Row::plain(format!("{case}: {name}"));
         for frame in 0..view.frames.len() {

@@ -30,14 +30,24 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
     let mut references = desk.references(&room, quantity, &points);
     let truth = references.truth();
     let judge = Judge::new(truth, &points);
-    let mut row = Row::against("irradiance", "path tracing", view.image(&truth.values), view.surfaces());
+    let mut row = Row::against(
+        "irradiance",
+        "path tracing",
+        view.image(&truth.values),
+        view.surfaces(),
+    );
     for backend in desk.backends() {
         for fidelity in ["published", "corrected"] {
             let mut estimates = Vec::new();
-            for (surface, caption) in [("lambertian", "Lambert"), ("blinn_phong", "whole material")] {
+            for (surface, caption) in [("lambertian", "Lambert"), ("blinn_phong", "whole material")]
+            {
                 let map = desk.method(
                     "direct_radiance_map",
-                    &[("surface", &surface), ("fidelity", &fidelity), ("samples_per_side", &5)],
+                    &[
+                        ("surface", &surface),
+                        ("fidelity", &fidelity),
+                        ("samples_per_side", &5),
+                    ],
                 )?;
                 let shot = desk.shot(&room, backend, &*map, quantity, &points)?;
                 let at = (fidelity, format!("relMSE, {caption}"));
@@ -49,7 +59,9 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
                 finding.runs.push(shot.run);
             }
             let what = format!("{fidelity}: whole material nearer than Lambert's law");
-            finding.trials.push(judge.nearer(what, backend, &estimates[1], &estimates[0]));
+            finding
+                .trials
+                .push(judge.nearer(what, backend, &estimates[1], &estimates[0]));
         }
     }
     finding.pictures.push(row);

@@ -32,7 +32,10 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
     // Where only light in mirrors makes the difference.
     let plain = direct.surfaces();
     let mirrored = included.surfaces().into_iter().enumerate();
-    let at: Vec<usize> = mirrored.filter(|&(i, shows)| shows && !plain[i]).map(|(i, _)| i).collect();
+    let at: Vec<usize> = mirrored
+        .filter(|&(i, shows)| shows && !plain[i])
+        .map(|(i, _)| i)
+        .collect();
     let points = included.points(Quantity::Irradiance.layout());
     let mut references = desk.references(&room, Quantity::Irradiance, &points);
     let truth = references.truth();
@@ -41,7 +44,12 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
     let error = included.image(&reflected(&materials, &truth.error));
     let (values, errors) = (reference.to_estimate(), error.to_estimate());
     let judge = Judge::at(&values, Some(&errors), at);
-    let mut row = Row::against("a mirror and a mirror ball", "path tracing", reference, included.surfaces());
+    let mut row = Row::against(
+        "a mirror and a mirror ball",
+        "path tracing",
+        reference,
+        included.surfaces(),
+    );
     for backend in desk.backends() {
         let mut pictures = Vec::new();
         for (name, view) in &views {
@@ -56,7 +64,9 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
             }
         }
         for (b, a, what) in [(1, 0, "(b) nearer than (a)"), (2, 1, "(c) nearer than (b)")] {
-            finding.trials.push(judge.nearer(what, backend, &pictures[b], &pictures[a]));
+            finding
+                .trials
+                .push(judge.nearer(what, backend, &pictures[b], &pictures[a]));
         }
     }
     finding.pictures.push(row);

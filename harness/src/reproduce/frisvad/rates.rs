@@ -20,8 +20,11 @@ type Column = (String, usize, Vec<Amount>);
 
 pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
     let mut finding = Finding::default();
-    let mut columns: Vec<(Backend, Vec<Column>)> =
-        desk.backends().into_iter().map(|b| (b, Vec::new())).collect();
+    let mut columns: Vec<(Backend, Vec<Column>)> = desk
+        .backends()
+        .into_iter()
+        .map(|b| (b, Vec::new()))
+        .collect();
     for model in [None, Some("dragon"), Some("dragon_871k")] {
         let (name, room) = in_the_box(desk, model, &mut finding)?;
         let scene = room.cpu.scene();
@@ -44,7 +47,12 @@ fn in_the_box<'a>(
     finding: &mut Finding,
 ) -> Result<(String, Room<'a>), HarnessError> {
     let (name, place) = match model.map(|name| desk.mesh(name)) {
-        Some(model) => (model.name.clone(), Place::of("cornell-box").with(&model).set("receiver.size", 0.25)),
+        Some(model) => (
+            model.name.clone(),
+            Place::of("cornell-box")
+                .with(&model)
+                .set("receiver.size", 0.25),
+        ),
         None => ("box alone".into(), Place::of("cornell-box")),
     };
     let mut scene = desk.scene(&place, finding)?;
@@ -69,8 +77,18 @@ fn times(
         let shot = desk.timed_shot(room, backend, &*map, Quantity::Irradiance, &points)?;
         let ms = shot.frame_ms();
         let rate = Amount::exact(1000.0).over(ms);
-        finding.time((name, format!("{n}×{n} frame")), backend, ms, ("ms", software));
-        finding.time((name, format!("{n}×{n}")), backend, rate, ("frames/s", software));
+        finding.time(
+            (name, format!("{n}×{n} frame")),
+            backend,
+            ms,
+            ("ms", software),
+        );
+        finding.time(
+            (name, format!("{n}×{n}")),
+            backend,
+            rate,
+            ("frames/s", software),
+        );
         finding.runs.push(shot.run);
         all.push(ms);
     }
@@ -86,15 +104,22 @@ fn judge(backend: Backend, columns: &[Column], finding: &mut Finding) {
             finding.trials.push(Trial::less(what, backend, first, last));
             let what = format!("{name}: a frame of 5×5 samples below a second, ms");
             let second = Amount::exact(INTERACTIVE_MS);
-            finding.trials.push(Trial::less(what, backend, last, second));
+            finding
+                .trials
+                .push(Trial::less(what, backend, last, second));
         }
     }
     let fewest = columns.iter().min_by_key(|c| c.1);
     let most = columns.iter().max_by_key(|c| c.1);
     if let (Some(fewest), Some(most)) = (fewest, most) {
         for (i, n) in SAMPLES.into_iter().enumerate() {
-            let what = format!("{n}×{n} samples: a frame of {} below one of {}, ms", fewest.0, most.0);
-            finding.trials.push(Trial::less(what, backend, fewest.2[i], most.2[i]));
+            let what = format!(
+                "{n}×{n} samples: a frame of {} below one of {}, ms",
+                fewest.0, most.0
+            );
+            finding
+                .trials
+                .push(Trial::less(what, backend, fewest.2[i], most.2[i]));
         }
     }
 }

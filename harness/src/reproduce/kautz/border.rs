@@ -66,9 +66,13 @@ fn steps(
                 finding.measure((&*case, label), backend, Amount::exact(value), "");
             }
             let what = format!("{case}: {SEEN} steps inside faces below a step across edges");
-            finding.trials.push(Trial::less_by(what, backend, (SEEN * face, seam), 0.0));
+            finding
+                .trials
+                .push(Trial::less_by(what, backend, (SEEN * face, seam), 0.0));
             let what = format!("{case}: step across edges below {GONE} of that face by face");
-            finding.trials.push(Trial::less_by(what, backend, (mended, GONE * seam), 0.0));
+            finding
+                .trials
+                .push(Trial::less_by(what, backend, (mended, GONE * seam), 0.0));
         }
     }
     Ok(())
@@ -132,10 +136,15 @@ fn pictures(
     let view = desk.view(&room)?;
     let points = view.points(PointLayout::Material);
     let mut row = Row::plain(format!("{name}: a mirroring ball, level 5"));
-    for (fidelity, caption) in [("published", "face by face"), ("corrected", "across the border")] {
+    for (fidelity, caption) in [
+        ("published", "face by face"),
+        ("corrected", "across the border"),
+    ] {
         for &backend in &desk.backends() {
-            let method =
-                desk.method("sh_mip_envmap", &[("fidelity", &fidelity), ("lod", &5), ("f_lambda", &1)])?;
+            let method = desk.method(
+                "sh_mip_envmap",
+                &[("fidelity", &fidelity), ("lod", &5), ("f_lambda", &1)],
+            )?;
             let shot = desk.shot(&room, backend, &*method, Quantity::GlossyRadiance, &points)?;
             row.add(format!("{caption}, {backend}"), view.image(&shot.estimate));
         }

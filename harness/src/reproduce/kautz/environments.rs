@@ -15,7 +15,9 @@ pub(super) fn environments(desk: &Desk<'_>, finding: &mut Finding) -> Vec<(&'sta
     for &name in maps {
         match desk.assets().environment(name) {
             Some(path) => all.push((name, studio().under(Some(path)))),
-            None => finding.note(format!("{name} not found: left out; `make assets` brings public maps")),
+            None => finding.note(format!(
+                "{name} not found: left out; `make assets` brings public maps"
+            )),
         }
     }
     all

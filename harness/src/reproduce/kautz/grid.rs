@@ -35,7 +35,12 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
         let mut shoot = |bias: f32, f_lambda: f32| {
             let method = desk.method(
                 "sh_mip_envmap",
-                &[("resolution", &256), ("lod_mode", &"bias"), ("lod", &bias), ("f_lambda", &f_lambda)],
+                &[
+                    ("resolution", &256),
+                    ("lod_mode", &"bias"),
+                    ("lod", &bias),
+                    ("f_lambda", &f_lambda),
+                ],
             )?;
             let shot = desk.shot(&room, backend, &*method, Quantity::GlossyRadiance, &points)?;
             finding.runs.push(shot.run);
@@ -55,7 +60,11 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
         }
         judge(&view, (&plain, &rows), backend, &mut finding);
         if backend == desk.backends()[0] {
-            finding.pictures.extend(rows.iter().zip(F_LAMBDAS).map(|(row, f)| pictures(&view, row, f)));
+            finding.pictures.extend(
+                rows.iter()
+                    .zip(F_LAMBDAS)
+                    .map(|(row, f)| pictures(&view, row, f)),
+            );
         }
     }
     Ok(finding)
@@ -69,7 +78,10 @@ fn judge(
 ) {
     let mut gloss: Vec<Vec<f64>> = Vec::new();
     for (row, f) in rows.iter().zip(F_LAMBDAS) {
-        let sharp: Vec<f64> = row.iter().map(|e| sharpness(view, &view.image(e))).collect();
+        let sharp: Vec<f64> = row
+            .iter()
+            .map(|e| sharpness(view, &view.image(e)))
+            .collect();
         let away = |(e, p): (&Estimate, &Estimate)| {
             Judge::at(p, None, (0..p.len()).collect()).relative_rms(e)
         };
@@ -77,18 +89,43 @@ fn judge(
         for (i, b) in BIASES.into_iter().enumerate() {
             let case = format!("b = {b}, f_λ = {f}");
             let away = gloss.last().map_or(0.0, |g| g[i]);
-            finding.measure((&*case, "difference of neighbours / mean"), backend, Amount::exact(sharp[i]), "");
-            finding.measure((&*case, "rms from f_λ = 0 / mean"), backend, Amount::exact(away), "");
+            finding.measure(
+                (&*case, "difference of neighbours / mean"),
+                backend,
+                Amount::exact(sharp[i]),
+                "",
+            );
+            finding.measure(
+                (&*case, "rms from f_λ = 0 / mean"),
+                backend,
+                Amount::exact(away),
+                "",
+            );
         }
         for i in 1..BIASES.len() {
-            let what = format!("f_λ = {f}: neighbours at b = {} differ less than at {}", BIASES[i], BIASES[i - 1]);
-            finding.trials.push(Trial::less_by(what, backend, (sharp[i], sharp[i - 1]), 0.0));
+            let what = format!(
+                "f_λ = {f}: neighbours at b = {} differ less than at {}",
+                BIASES[i],
+                BIASES[i - 1]
+            );
+            finding
+                .trials
+                .push(Trial::less_by(what, backend, (sharp[i], sharp[i - 1]), 0.0));
         }
     }
     for (i, b) in BIASES.into_iter().enumerate() {
         for f in 1..F_LAMBDAS.len() {
-            let what = format!("b = {b}: f_λ = {} nearer to 0's than {}", F_LAMBDAS[f - 1], F_LAMBDAS[f]);
-            finding.trials.push(Trial::less_by(what, backend, (gloss[f - 1][i], gloss[f][i]), 0.0));
+            let what = format!(
+                "b = {b}: f_λ = {} nearer to 0's than {}",
+                F_LAMBDAS[f - 1],
+                F_LAMBDAS[f]
+            );
+            finding.trials.push(Trial::less_by(
+                what,
+                backend,
+                (gloss[f - 1][i], gloss[f][i]),
+                0.0,
+            ));
         }
     }
 }
@@ -100,7 +137,11 @@ fn sharpness(view: &View, image: &HdrImage) -> f64 {
     for i in 0..image.pixels.len() {
         let right = ((i + 1) % image.width != 0).then_some(i + 1);
         let below = Some(i + image.width).filter(|b| *b < image.pixels.len());
-        for j in [right, below].into_iter().flatten().filter(|&j| surface[i] && surface[j]) {
+        for j in [right, below]
+            .into_iter()
+            .flatten()
+            .filter(|&j| surface[i] && surface[j])
+        {
             let (a, b) = (image.pixels[i], image.pixels[j]);
             difference += f64::from((a - b).abs().element_sum());
             sum += f64::from((a + b).element_sum()) / 2.0;

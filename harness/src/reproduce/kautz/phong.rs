@@ -36,8 +36,12 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
             let judge = Judge::at(&displayed, None, surfaces.clone());
             let unclipped = Judge::at(&slow.estimate, None, surfaces);
             let title = format!("{name}, {backend}");
-            let mut row =
-                Row::against(title, "Phong, N = 225", view.image(&slow.estimate), view.surfaces());
+            let mut row = Row::against(
+                title,
+                "Phong, N = 225",
+                view.image(&slow.estimate),
+                view.surfaces(),
+            );
             for level in [2, 3, 4] {
                 let fast = desk.method("sh_mip_envmap", &[("lod", &level)])?;
                 let fast = desk.timed_shot(&room, backend, &*fast, quantity, &points)?;
@@ -45,17 +49,32 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
                 let label = format!("level {level}: rms difference / mean");
                 finding.measure((name, label), backend, rms, "");
                 let sun = Amount::exact(unclipped.relative_rms(&fast.estimate));
-                finding.measure((name, format!("level {level}: not clipped")), backend, sun, "");
+                finding.measure(
+                    (name, format!("level {level}: not clipped")),
+                    backend,
+                    sun,
+                    "",
+                );
                 row.add(format!("mip level {level}"), view.image(&fast.estimate));
                 if level == MATCHING {
                     let software = desk.software(backend);
                     let ratio = slow.prepare_ms().over(fast.prepare_ms());
-                    finding.time((name, "times as long to prepare"), backend, ratio, ("", software));
+                    finding.time(
+                        (name, "times as long to prepare"),
+                        backend,
+                        ratio,
+                        ("", software),
+                    );
                     let what = format!("{name}: rms difference over mean");
-                    finding.trials.push(Trial::less(what, backend, rms, Amount::exact(SAME)));
-                    let what = format!("{name}: box filter below a tenth of the Phong filter's time, ms");
+                    finding
+                        .trials
+                        .push(Trial::less(what, backend, rms, Amount::exact(SAME)));
+                    let what =
+                        format!("{name}: box filter below a tenth of the Phong filter's time, ms");
                     let tenth = slow.prepare_ms().times(1.0 / FASTER);
-                    finding.trials.push(Trial::less(what, backend, fast.prepare_ms(), tenth));
+                    finding
+                        .trials
+                        .push(Trial::less(what, backend, fast.prepare_ms(), tenth));
                 }
                 finding.runs.push(fast.run);
             }

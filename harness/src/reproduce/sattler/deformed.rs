@@ -20,10 +20,16 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
     let rest = desk.scene(&place, &mut finding)?;
     let method = desk.method(
         "directional_ao",
-        &[("level", &desk.pick(2, 3)), ("map_resolution", &desk.pick(128, 512))],
+        &[
+            ("level", &desk.pick(2, 3)),
+            ("map_resolution", &desk.pick(128, 512)),
+        ],
     )?;
-    let mut running: Vec<(Backend, Running, Option<Estimate>)> =
-        desk.backends().into_iter().map(|b| (b, Running::default(), None)).collect();
+    let mut running: Vec<(Backend, Running, Option<Estimate>)> = desk
+        .backends()
+        .into_iter()
+        .map(|b| (b, Running::default(), None))
+        .collect();
     for index in 0..desk.pick(3_u8, 9) {
         // The shape is at rest at 0 s, and farthest from it at a quarter of its period of 2 s.
         let time_s = 0.5 * f32::from(index) / f32::from(desk.pick(2_u8, 8));
@@ -33,15 +39,32 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
         let truth = references.truth();
         let judge = Judge::at(&truth.values, Some(&truth.error), moment.seen());
         let (view, title) = (&moment.view, format!("at {time_s} s"));
-        let mut row = Row::against(&*title, "traced rays", view.image(&truth.values), view.surfaces());
+        let mut row = Row::against(
+            &*title,
+            "traced rays",
+            view.image(&truth.values),
+            view.surfaces(),
+        );
         for (backend, running, at_rest) in &mut running {
             let shaded = moment.shade(desk, (running, *backend), &*method, DEFORMING)?;
             let fixed = at_rest.get_or_insert_with(|| shaded.estimate.clone());
-            finding.measure((&*title, "relMSE"), *backend, judge.relmse(&shaded.estimate), "");
-            finding.measure((&*title, "relMSE of the shape at rest"), *backend, judge.relmse(fixed), "");
+            finding.measure(
+                (&*title, "relMSE"),
+                *backend,
+                judge.relmse(&shaded.estimate),
+                "",
+            );
+            finding.measure(
+                (&*title, "relMSE of the shape at rest"),
+                *backend,
+                judge.relmse(fixed),
+                "",
+            );
             if index > 0 {
                 let what = format!("{title}: nearer than the occlusion at rest");
-                finding.trials.push(judge.nearer(what, *backend, &shaded.estimate, fixed));
+                finding
+                    .trials
+                    .push(judge.nearer(what, *backend, &shaded.estimate, fixed));
             }
             if *backend == desk.backends()[0] {
                 row.add("this frame's", view.image(&shaded.estimate));

@@ -19,13 +19,21 @@ const NEAR: f64 = 0.05;
 pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
     let mut finding = Finding::default();
     let quantity = Quantity::AmbientOcclusion;
-    let room = desk.room(&Place::of("studio").with(&desk.mesh("buddha")), &mut finding)?;
+    let room = desk.room(
+        &Place::of("studio").with(&desk.mesh("buddha")),
+        &mut finding,
+    )?;
     let view = desk.view(&room)?;
     let points = view.points(quantity.layout());
     let mut references = desk.references(&room, quantity, &points);
     let truth = references.truth();
     let judge = Judge::new(truth, &points);
-    let mut row = Row::against("openness", "traced rays", view.image(&truth.values), view.surfaces());
+    let mut row = Row::against(
+        "openness",
+        "traced rays",
+        view.image(&truth.values),
+        view.surfaces(),
+    );
     for backend in desk.backends() {
         let mut estimates = Vec::new();
         for level in 0..=desk.pick(3, 4) {
@@ -37,11 +45,18 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
             let shot = desk.shot(&room, backend, &*method, quantity, &points)?;
             let rms = Amount::exact(judge.relative_rms(&shot.estimate));
             let case = format!("k = {k}");
-            finding.measure((&*case, "relMSE"), backend, judge.relmse(&shot.estimate), "");
+            finding.measure(
+                (&*case, "relMSE"),
+                backend,
+                judge.relmse(&shot.estimate),
+                "",
+            );
             finding.measure((&*case, "rms difference / mean"), backend, rms, "");
             if level == ENOUGH {
                 let what = format!("{case}: rms difference over mean");
-                finding.trials.push(Trial::less(what, backend, rms, Amount::exact(NEAR)));
+                finding
+                    .trials
+                    .push(Trial::less(what, backend, rms, Amount::exact(NEAR)));
             }
             if backend == desk.backends()[0] {
                 row.add(case, view.image(&shot.estimate));
@@ -51,7 +66,9 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
         }
         for pair in estimates.windows(2) {
             let what = format!("{} directions nearer than {}", pair[1].0, pair[0].0);
-            finding.trials.push(judge.nearer(what, backend, &pair[1].1, &pair[0].1));
+            finding
+                .trials
+                .push(judge.nearer(what, backend, &pair[1].1, &pair[0].1));
         }
     }
     finding.pictures.push(row);

@@ -45,25 +45,40 @@ fn held(
     let method = |level: u32, fps: f64| {
         desk.method(
             "directional_ao",
-            &[("level", &level), ("target_fps", &fps), ("map_resolution", &desk.pick(96, 256))],
+            &[
+                ("level", &level),
+                ("target_fps", &fps),
+                ("map_resolution", &desk.pick(96, 256)),
+            ],
         )
     };
     let frames = desk.pick(10, 24);
     let full = method(LEVELS[0], 0.0)?;
     let (full_ms, _) = moving(desk, rest, (backend, SETTLED + 3), &*full)?;
-    let (low_ms, _) = moving(desk, rest, (backend, SETTLED + 3), &*method(LEVELS[1], 0.0)?)?;
+    let (low_ms, _) = moving(
+        desk,
+        rest,
+        (backend, SETTLED + 3),
+        &*method(LEVELS[1], 0.0)?,
+    )?;
     // Between both on a logarithmic scale: the control needs room for a level and its costlier neighbour.
     let budget_ms = (full_ms.value * low_ms.value).sqrt();
     let controlled = method(LEVELS[0], 1e3 / budget_ms)?;
     let (held_ms, mut running) = moving(desk, rest, (backend, frames), &*controlled)?;
     let last = Moment::of(desk, rest, time_of(frames - 1))?;
-    let in_motion = last.shade(desk, (&mut running, backend), &*controlled, RESTING)?.estimate;
+    let in_motion = last
+        .shade(desk, (&mut running, backend), &*controlled, RESTING)?
+        .estimate;
     let mut at_rest = in_motion.clone();
     // At rest a kept visibility costs next to nothing, so that each frame has room for the next level.
     for _ in 0..2 * SETTLED {
-        at_rest = last.shade(desk, (&mut running, backend), &*controlled, RESTING)?.estimate;
+        at_rest = last
+            .shade(desk, (&mut running, backend), &*controlled, RESTING)?
+            .estimate;
     }
-    let best = last.shade(desk, (&mut Running::default(), backend), &*full, RESTING)?.estimate;
+    let best = last
+        .shade(desk, (&mut Running::default(), backend), &*full, RESTING)?
+        .estimate;
     let left = difference(&at_rest, &best);
     let unit = ("ms", desk.software(backend));
     for (name, ms) in [
@@ -75,15 +90,41 @@ fn held(
         finding.time(("moving", name), backend, ms, unit);
     }
     let at = |name: &'static str| ("at rest", name);
-    finding.measure(at("largest difference, first frame / mean"), backend, Amount::exact(difference(&in_motion, &best)), "");
-    finding.measure(at("largest difference, last frame / mean"), backend, Amount::exact(left), "");
+    finding.measure(
+        at("largest difference, first frame / mean"),
+        backend,
+        Amount::exact(difference(&in_motion, &best)),
+        "",
+    );
+    finding.measure(
+        at("largest difference, last frame / mean"),
+        backend,
+        Amount::exact(left),
+        "",
+    );
     let allowed = Amount::exact(SLACK * budget_ms);
-    finding.trials.push(Trial::less("controlled frame below 120 % of its time, ms", backend, held_ms, allowed));
-    finding.trials.push(Trial::less("120 % of its time below an uncontrolled frame, ms", backend, allowed, full_ms));
+    finding.trials.push(Trial::less(
+        "controlled frame below 120 % of its time, ms",
+        backend,
+        held_ms,
+        allowed,
+    ));
+    finding.trials.push(Trial::less(
+        "120 % of its time below an uncontrolled frame, ms",
+        backend,
+        allowed,
+        full_ms,
+    ));
     let what = "at rest: largest difference from the full level, over the mean";
-    finding.trials.push(Trial::less_by(what, backend, (left, SAME), 0.0));
+    finding
+        .trials
+        .push(Trial::less_by(what, backend, (left, SAME), 0.0));
     let mut row = Row::plain(format!("openness, {backend}"));
-    for (caption, estimate) in [("in motion", &in_motion), ("at rest", &at_rest), ("full level", &best)] {
+    for (caption, estimate) in [
+        ("in motion", &in_motion),
+        ("at rest", &at_rest),
+        ("full level", &best),
+    ] {
         row.add(caption, last.view.image(estimate));
     }
     finding.pictures.push(row);
@@ -104,14 +145,21 @@ fn moving(
     let (mut running, mut times) = (Running::default(), Vec::new());
     for index in 0..frames {
         let moment = Moment::of(desk, rest, time_of(index))?;
-        times.push(moment.shade(desk, (&mut running, backend), method, DEFORMING)?.ms);
+        times.push(
+            moment
+                .shade(desk, (&mut running, backend), method, DEFORMING)?
+                .ms,
+        );
     }
     Ok((amount_of(&times[SETTLED.min(times.len())..]), running))
 }
 
 /// Largest difference of two estimates over the mean of the second.
 fn difference(a: &Estimate, b: &Estimate) -> f64 {
-    let largest = a.iter().zip(b.iter()).map(|(a, b)| (a - b).abs().max_element());
+    let largest = a
+        .iter()
+        .zip(b.iter())
+        .map(|(a, b)| (a - b).abs().max_element());
     let mean = b.iter().map(|v| v.element_sum() / 3.0).sum::<f32>() / b.len() as f32;
     f64::from(largest.fold(0.0, f32::max) / mean)
 }

@@ -24,9 +24,13 @@ pub(super) fn environments(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
     ] {
         let environment = desk.assets().environment(map);
         if environment.is_none() {
-            finding.note(format!("{map} not found: the library's sky in its place; `make assets` brings it"));
+            finding.note(format!(
+                "{map} not found: the library's sky in its place; `make assets` brings it"
+            ));
         }
-        let place = Place::of("studio").with(&desk.mesh(model)).under(environment);
+        let place = Place::of("studio")
+            .with(&desk.mesh(model))
+            .under(environment);
         compare(desk, (&format!("{model}, {map}"), place), &mut finding)?;
     }
     Ok(finding)
@@ -35,7 +39,9 @@ pub(super) fn environments(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
 pub(super) fn group(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
     let mut finding = Finding::default();
     let dragon = desk.mesh("dragon");
-    let place = Place::of("dragons").with(&desk.mesh("buddha")).with(&dragon);
+    let place = Place::of("dragons")
+        .with(&desk.mesh("buddha"))
+        .with(&dragon);
     compare(desk, ("three models", place), &mut finding)?;
     Ok(finding)
 }
@@ -57,11 +63,19 @@ fn compare(
     let own = Judge::at(&black, Some(&black_error), surfaces.collect());
     let truth = references.truth();
     let judge = Judge::new(truth, &points);
-    let mut row = Row::against(case, "path tracing", view.image(&truth.values), view.surfaces());
+    let mut row = Row::against(
+        case,
+        "path tracing",
+        view.image(&truth.values),
+        view.surfaces(),
+    );
     for backend in desk.backends() {
         let occluded = desk.method(
             "directional_ao",
-            &[("level", &desk.pick(3, 4)), ("map_resolution", &desk.pick(96, 512))],
+            &[
+                ("level", &desk.pick(3, 4)),
+                ("map_resolution", &desk.pick(96, 512)),
+            ],
         )?;
         let open = desk.method("sh_mip_envmap", &[])?;
         let mut estimates = Vec::new();
@@ -69,7 +83,12 @@ fn compare(
             let shot = desk.shot(&room, backend, &*method, quantity, &points)?;
             let at = |name: &str| (case.to_owned(), format!("{name}, {label}"));
             finding.measure(at("relMSE"), backend, judge.relmse(&shot.estimate), "");
-            finding.measure(at("relMSE to occluded environment light"), backend, own.relmse(&shot.estimate), "");
+            finding.measure(
+                at("relMSE to occluded environment light"),
+                backend,
+                own.relmse(&shot.estimate),
+                "",
+            );
             if backend == desk.backends()[0] {
                 row.add(label, view.image(&shot.estimate));
             }
@@ -78,7 +97,9 @@ fn compare(
         }
         for (judge, reference) in [(&judge, "all light"), (&own, "occluded environment light")] {
             let what = format!("{case}: nearer to {reference} with occlusion than without");
-            finding.trials.push(judge.nearer(what, backend, &estimates[1], &estimates[0]));
+            finding
+                .trials
+                .push(judge.nearer(what, backend, &estimates[1], &estimates[0]));
         }
     }
     finding.pictures.push(row);

@@ -35,7 +35,10 @@ impl<'a> Moment<'a> {
         let Some(seen) = self.view.seen() else {
             return Vec::new();
         };
-        let corners = seen.visible.iter().flat_map(|&t| seen.triangles[t as usize]);
+        let corners = seen
+            .visible
+            .iter()
+            .flat_map(|&t| seen.triangles[t as usize]);
         let mut vertices: Vec<usize> = corners.map(|v| v as usize).collect();
         vertices.sort_unstable();
         vertices.dedup();

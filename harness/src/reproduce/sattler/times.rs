@@ -38,7 +38,12 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
             let mut of_model = Vec::new();
             for &level in levels(desk) {
                 let times = measure(desk, &rest, (backend, level))?;
-                note((&model.name, vertices), (desk, backend, level), &times, &mut finding);
+                note(
+                    (&model.name, vertices),
+                    (desk, backend, level),
+                    &times,
+                    &mut finding,
+                );
                 of_model.push(times);
             }
             table.push((model.name, vertices, of_model));
@@ -61,7 +66,11 @@ fn measure(
     let method = |filter: bool| {
         desk.method(
             "directional_ao",
-            &[("level", &level), ("map_resolution", &resolution), ("filter", &filter)],
+            &[
+                ("level", &level),
+                ("map_resolution", &resolution),
+                ("filter", &filter),
+            ],
         )
     };
     let (plain, with_lists) = (method(false)?, method(true)?);
@@ -70,7 +79,10 @@ fn measure(
     let [all, filtered, still] = &mut running;
     let (mut plain_ms, mut filtered_ms, mut still_ms) = (Vec::new(), Vec::new(), Vec::new());
     let resting = Moment::of(desk, rest, 0.0)?;
-    let turning = Moves { environment: true, ..RESTING };
+    let turning = Moves {
+        environment: true,
+        ..RESTING
+    };
     for index in 0..=frames {
         let moment = Moment::of(desk, rest, f32::from(index) / 15.0)?;
         let of = Quantity::Irradiance;
@@ -117,14 +129,23 @@ fn judge(
         for (pair, level) in times.windows(2).zip(levels(desk)) {
             let (fewer, more) = (directions(*level), directions(level + 1));
             let what = format!("{model}: {fewer} directions below {more}, ms");
-            finding.trials.push(Trial::less(what, backend, pair[0].deforming, pair[1].deforming));
+            finding.trials.push(Trial::less(
+                what,
+                backend,
+                pair[0].deforming,
+                pair[1].deforming,
+            ));
         }
         for (t, level) in times.iter().zip(levels(desk)) {
             let k = directions(*level);
             let what = format!("{model}, k = {k}: filtered below unfiltered, ms");
-            finding.trials.push(Trial::less(what, backend, t.filtered, t.deforming));
+            finding
+                .trials
+                .push(Trial::less(what, backend, t.filtered, t.deforming));
             let what = format!("{model}, k = {k}: static below animated, ms");
-            finding.trials.push(Trial::less(what, backend, t.resting, t.deforming));
+            finding
+                .trials
+                .push(Trial::less(what, backend, t.resting, t.deforming));
         }
     }
     let fewest = table.iter().min_by_key(|t| t.1);
@@ -133,7 +154,9 @@ fn judge(
         for ((a, b), level) in fewest.2.iter().zip(&most.2).zip(levels(desk)) {
             let (k, few, many) = (directions(*level), fewest.1, most.1);
             let what = format!("k = {k}: {few} vertices below {many}, ms");
-            finding.trials.push(Trial::less(what, backend, a.deforming, b.deforming));
+            finding
+                .trials
+                .push(Trial::less(what, backend, a.deforming, b.deforming));
         }
     }
 }

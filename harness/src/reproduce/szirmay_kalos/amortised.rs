@@ -47,8 +47,11 @@ fn place(desk: &Desk<'_>, moved: f32, receivers: u32) -> Place {
 /// A map of M = 8 that is kept while the object is no farther than `within_m` from where it was made;
 /// always fresh for 0.
 fn map(desk: &Desk<'_>, within_m: f32) -> Result<Box<dyn Configured>, HarnessError> {
-    let parameters: [(&str, &dyn ToString); 3] =
-        [("resolution", &8), ("bounces", &4), ("recapture_distance", &within_m)];
+    let parameters: [(&str, &dyn ToString); 3] = [
+        ("resolution", &8),
+        ("bounces", &4),
+        ("recapture_distance", &within_m),
+    ];
     desk.method("localized_cubemap", &parameters)
 }
 
@@ -74,7 +77,13 @@ fn moved_by(desk: &Desk<'_>, moved: f32, finding: &mut Finding) -> Result<(), Ha
         }
         if let [fresh, kept] = shots[..] {
             let software = desk.software(backend);
-            weigh((&case, backend, software), ("kept", kept), ("fresh", fresh), moved <= NEAR_M, finding);
+            weigh(
+                (&case, backend, software),
+                ("kept", kept),
+                ("fresh", fresh),
+                moved <= NEAR_M,
+                finding,
+            );
         }
     }
     finding.pictures.push(row);
@@ -88,7 +97,10 @@ fn shared(desk: &Desk<'_>, backend: Backend, finding: &mut Finding) -> Result<()
         let (low, high) = mesh.bounds().unwrap_or_default();
         0.5 * (low + high)
     };
-    let middles: Vec<Vec3> = scene.objects_of(Role::Receiver).map(|o| middle(&o.mesh)).collect();
+    let middles: Vec<Vec3> = scene
+        .objects_of(Role::Receiver)
+        .map(|o| middle(&o.mesh))
+        .collect();
     let room = desk.set_up(&scene)?;
     let view = desk.view(&room)?;
     let points = view.points(Quantity::Irradiance.layout());
@@ -115,12 +127,23 @@ fn shared(desk: &Desk<'_>, backend: Backend, finding: &mut Finding) -> Result<()
         value: a.value + b.value,
         spread: a.spread.hypot(b.spread),
     });
-    let each_cost = (both_ms.unwrap_or(Amount::exact(f64::NAN)), judge.relmse(&each));
+    let each_cost = (
+        both_ms.unwrap_or(Amount::exact(f64::NAN)),
+        judge.relmse(&each),
+    );
     let one_cost = (one.frame_ms(), judge.relmse(&one.estimate));
     let at = ("2 objects", backend, desk.software(backend));
-    weigh(at, ("one map", one_cost), ("a map each", each_cost), true, finding);
+    weigh(
+        at,
+        ("one map", one_cost),
+        ("a map each", each_cost),
+        true,
+        finding,
+    );
     if backend == desk.backends()[0] {
-        finding.pictures.push(pictures(&view, &truth.values, [&one.estimate, &each]));
+        finding
+            .pictures
+            .push(pictures(&view, &truth.values, [&one.estimate, &each]));
     }
     Ok(())
 }
@@ -156,13 +179,25 @@ fn weigh(
     finding: &mut Finding,
 ) {
     for (label, ms, error) in [(cheap, cheap_ms, cheap_error), (dear, dear_ms, dear_error)] {
-        finding.time((case, format!("frame, {label}")), backend, ms, ("ms", software));
+        finding.time(
+            (case, format!("frame, {label}")),
+            backend,
+            ms,
+            ("ms", software),
+        );
         finding.measure((case, format!("relMSE, {label}")), backend, error, "");
     }
     let time = format!("{case}: frame of {cheap} below that of {dear}, ms");
-    finding.trials.push(Trial::less(time, backend, cheap_ms, dear_ms));
+    finding
+        .trials
+        .push(Trial::less(time, backend, cheap_ms, dear_ms));
     if near {
         let error = format!("{case}: relMSE of {cheap} below {WORSE} times that of {dear}");
-        finding.trials.push(Trial::less(error, backend, cheap_error, dear_error.times(WORSE)));
+        finding.trials.push(Trial::less(
+            error,
+            backend,
+            cheap_error,
+            dear_error.times(WORSE),
+        ));
     }
 }

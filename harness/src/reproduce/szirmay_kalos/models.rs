@@ -85,15 +85,30 @@ fn compare(
         Reflection::Diffuse => e.clone(),
         Reflection::Specular => scaled(e, judge.factor(e)),
     };
-    let mut row = Row::against(case, "reference", view.image(&truth.values), view.surfaces());
+    let mut row = Row::against(
+        case,
+        "reference",
+        view.image(&truth.values),
+        view.surfaces(),
+    );
     for backend in desk.backends() {
         let mut shoot = |label: &str, method: &dyn Configured| {
             let shot = desk.shot(room, backend, method, quantity, &points)?;
             let estimate = brought(&shot.estimate);
-            finding.measure((case, format!("relMSE {label}")), backend, judge.relmse(&estimate), "");
+            finding.measure(
+                (case, format!("relMSE {label}")),
+                backend,
+                judge.relmse(&estimate),
+                "",
+            );
             if let Some(all) = &all {
                 let full = Judge::new(all, &points).relmse(&estimate);
-                finding.measure((case, format!("with shadows of itself {label}")), backend, full, "");
+                finding.measure(
+                    (case, format!("with shadows of itself {label}")),
+                    backend,
+                    full,
+                    "",
+                );
             }
             finding.runs.push(shot.run);
             if backend == desk.backends()[0] {
@@ -101,7 +116,10 @@ fn compare(
             }
             Ok::<_, HarnessError>(estimate)
         };
-        let classic = shoot("classic", &*desk.method("classic_envmap", &[("bounces", &BOUNCES)])?)?;
+        let classic = shoot(
+            "classic",
+            &*desk.method("classic_envmap", &[("bounces", &BOUNCES)])?,
+        )?;
         let mut maps = Vec::new();
         for m in RESOLUTIONS {
             let map = localized(desk, m, "published")?;
@@ -109,7 +127,9 @@ fn compare(
         }
         shoot("M = 16 corrected", &*localized(desk, 16, "corrected")?)?;
         for (m, map) in &maps {
-            finding.trials.push(judge.nearer(format!("{case}, M = {m}"), backend, map, &classic));
+            finding
+                .trials
+                .push(judge.nearer(format!("{case}, M = {m}"), backend, map, &classic));
         }
     }
     finding.pictures.push(row);
@@ -121,7 +141,10 @@ fn localized(
     resolution: u32,
     fidelity: &str,
 ) -> Result<Box<dyn Configured>, HarnessError> {
-    let parameters: [(&str, &dyn ToString); 3] =
-        [("resolution", &resolution), ("bounces", &BOUNCES), ("fidelity", &fidelity)];
+    let parameters: [(&str, &dyn ToString); 3] = [
+        ("resolution", &resolution),
+        ("bounces", &BOUNCES),
+        ("fidelity", &fidelity),
+    ];
     desk.method("localized_cubemap", &parameters)
 }

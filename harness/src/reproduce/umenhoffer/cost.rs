@@ -23,13 +23,20 @@ const METHODS: [(&str, &str); 3] = [
 
 pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
     let mut finding = Finding::default();
-    let place = Place::of("colored-room").with(&desk.mesh("dragon")).set("receiver.size", 0.9);
+    let place = Place::of("colored-room")
+        .with(&desk.mesh("dragon"))
+        .set("receiver.size", 0.9);
     let room = desk.room(&place, &mut finding)?;
     let view = desk.view(&room)?;
     let points = view.points(Quantity::Irradiance.layout());
     let mut references = desk.references(&room, Quantity::Irradiance, &points);
     let truth = references.truth();
-    let mut row = Row::against("irradiance, M = 4", "path tracing", view.image(&truth.values), view.surfaces());
+    let mut row = Row::against(
+        "irradiance, M = 4",
+        "path tracing",
+        view.image(&truth.values),
+        view.surfaces(),
+    );
     for backend in desk.backends() {
         let software = desk.software(backend);
         let mut shade = Vec::new();
@@ -50,14 +57,34 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
             finding.runs.push(shot.run);
         }
         let ratio = shade[2].over(shade[1]);
-        finding.time(("polygons", "times as long as points"), backend, ratio, ("", software));
-        for (i, j, what) in [(1, 2, "points below polygons, ms"), (0, 1, "classic mapping below points, ms")] {
-            finding.trials.push(Trial::less(format!("shading by {what}"), backend, shade[i], shade[j]));
+        finding.time(
+            ("polygons", "times as long as points"),
+            backend,
+            ratio,
+            ("", software),
+        );
+        for (i, j, what) in [
+            (1, 2, "points below polygons, ms"),
+            (0, 1, "classic mapping below points, ms"),
+        ] {
+            finding.trials.push(Trial::less(
+                format!("shading by {what}"),
+                backend,
+                shade[i],
+                shade[j],
+            ));
         }
         let what = format!("shading by polygons below {DEARER} times that by points, ms");
-        finding.trials.push(Trial::less(what, backend, shade[2], shade[1].times(DEARER)));
+        finding
+            .trials
+            .push(Trial::less(what, backend, shade[2], shade[1].times(DEARER)));
         let what = "shading by polygons below 100 ms";
-        finding.trials.push(Trial::less(what, backend, shade[2], Amount::exact(INTERACTIVE_MS)));
+        finding.trials.push(Trial::less(
+            what,
+            backend,
+            shade[2],
+            Amount::exact(INTERACTIVE_MS),
+        ));
     }
     finding.pictures.push(row);
     Ok(finding)

@@ -32,7 +32,12 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
     let judge = Judge::new(truth, &points);
     for m in [4_u32, 8] {
         let title = format!("irradiance, M = {m}");
-        let mut row = Row::against(title, "reference", view.image(&truth.values), view.surfaces());
+        let mut row = Row::against(
+            title,
+            "reference",
+            view.image(&truth.values),
+            view.surfaces(),
+        );
         for backend in desk.backends() {
             let mut shoot = |label: &str, id: &str, parameters: &[(&str, &dyn ToString)]| {
                 let method = desk.method(id, parameters)?;
@@ -53,12 +58,17 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
             let classic = shoot("classic", "classic_envmap", &[four])?;
             let point = shoot("points", "point_form_factor", &[four, edge])?;
             let polygon = shoot("polygons", "polygon_form_factor", &[four, edge])?;
-            let mended =
-                shoot("corrected polygons", "polygon_form_factor", &[four, edge, corrected])?;
+            let mended = shoot(
+                "corrected polygons",
+                "polygon_form_factor",
+                &[four, edge, corrected],
+            )?;
             for (fidelity, polygon) in [("published", &polygon), ("corrected", &mended)] {
                 for (rival, estimate) in [("points", &point), ("classic mapping", &classic)] {
                     let what = format!("M = {m}: {fidelity} polygons nearer than {rival}");
-                    finding.trials.push(judge.nearer(what, backend, polygon, estimate));
+                    finding
+                        .trials
+                        .push(judge.nearer(what, backend, polygon, estimate));
                 }
             }
         }

@@ -26,7 +26,9 @@ const LESS: f64 = 0.5;
 
 pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
     let mut finding = Finding::default();
-    let place = Place::of("colored-room").set("block", false).set("receiver.size", 0.01);
+    let place = Place::of("colored-room")
+        .set("block", false)
+        .set("receiver.size", 0.01);
     let room = desk.room(&place, &mut finding)?;
     for distance_m in DISTANCES_M {
         at(desk, &room, distance_m, &mut finding)?;
@@ -46,14 +48,25 @@ fn at(
     let truth = references.truth();
     let judge = Judge::new(truth, &points);
     let case = format!("{distance_m} m from the wall");
-    let image = |e: &Estimate| HdrImage::from_estimate(edge, edge, e).unwrap_or(HdrImage::new(edge, edge));
-    let mut row = Row::against(&*case, "path tracing", image(&truth.values), vec![true; edge * edge]);
+    let image =
+        |e: &Estimate| HdrImage::from_estimate(edge, edge, e).unwrap_or(HdrImage::new(edge, edge));
+    let mut row = Row::against(
+        &*case,
+        "path tracing",
+        image(&truth.values),
+        vec![true; edge * edge],
+    );
     for backend in desk.backends() {
         let mut spike = |label: &str, id: &str, parameters: &[(&str, &dyn ToString)]| {
             let method = desk.method(id, parameters)?;
             let shot = desk.shot(room, backend, &*method, Quantity::Irradiance, &points)?;
             let spike = judge.spike(&shot.estimate);
-            finding.measure((&*case, format!("spike of {label} / mean")), backend, Amount::exact(spike), "");
+            finding.measure(
+                (&*case, format!("spike of {label} / mean")),
+                backend,
+                Amount::exact(spike),
+                "",
+            );
             let relmse = judge.relmse(&shot.estimate);
             finding.measure((&*case, format!("relMSE of {label}")), backend, relmse, "");
             if backend == desk.backends()[0] {
@@ -66,13 +79,22 @@ fn at(
         let point = spike("points", "point_form_factor", &[bounces])?;
         let polygon = spike("polygons", "polygon_form_factor", &[bounces])?;
         let fidelity: (&str, &dyn ToString) = ("fidelity", &"corrected");
-        let corrected = spike("corrected polygons", "polygon_form_factor", &[bounces, fidelity])?;
+        let corrected = spike(
+            "corrected polygons",
+            "polygon_form_factor",
+            &[bounces, fidelity],
+        )?;
         if distance_m <= NEAR_M {
             let what = format!("{case}: the mean below the points' spike");
-            finding.trials.push(Trial::less_by(what, backend, (1.0, point), 0.0));
+            finding
+                .trials
+                .push(Trial::less_by(what, backend, (1.0, point), 0.0));
             for (fidelity, polygon) in [("published", polygon), ("corrected", corrected)] {
-                let what = format!("{case}: spike of {fidelity} polygons below {LESS} of the points'");
-                finding.trials.push(Trial::less_by(what, backend, (polygon, LESS * point), 0.0));
+                let what =
+                    format!("{case}: spike of {fidelity} polygons below {LESS} of the points'");
+                finding
+                    .trials
+                    .push(Trial::less_by(what, backend, (polygon, LESS * point), 0.0));
             }
         }
     }
