@@ -167,6 +167,22 @@ impl<'a> Desk<'a> {
         References::new(cx, &room.cpu, quantity, points, self.stop(), seed)
     }
 
+    /// As [`Self::references`], with eight times as many samples: for what is cheap to trace and judged by
+    /// more than a mean.
+    pub(super) fn precise<'b>(
+        &'b self,
+        room: &'b Room<'_>,
+        quantity: Quantity,
+        points: &'b Points,
+    ) -> References<'b> {
+        let stop = Stop {
+            samples: self.stop().samples.map(|n| 8 * n),
+            ..Stop::default()
+        };
+        let (cx, seed) = (&self.lab.cpu, self.lab.seed);
+        References::new(cx, &room.cpu, quantity, points, stop, seed)
+    }
+
     /// Runs a method for its estimate alone: its record has no times.
     pub(super) fn shot(
         &self,

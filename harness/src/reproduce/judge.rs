@@ -20,7 +20,17 @@ pub(super) struct Judge<'a> {
     reference: &'a Estimate,
     error: Option<&'a Estimate>,
     at: Vec<usize>,
-    epsilon: f64,
+    mean: f64,
+    weights: Weights,
+}
+
+/// What squared errors are divided by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Weights {
+    /// The square of each value of the reference, as [`crate::metrics`] has it.
+    EachValue,
+    /// The square of the reference's mean: what is nearly black counts no more than the rest.
+    Mean,
 }
 
 impl<'a> Judge<'a> {
@@ -34,12 +44,29 @@ impl<'a> Judge<'a> {
     pub(super) fn at(reference: &'a Estimate, error: Option<&'a Estimate>, at: Vec<usize>) -> Self {
         let magnitude = |i: &usize| reference.get(*i).as_dvec3().abs().element_sum() / 3.0;
         let mean = at.iter().map(magnitude).sum::<f64>() / at.len().max(1) as f64;
-        let epsilon = (EPSILON_FRACTION * mean).powi(2).max(f64::MIN_POSITIVE);
         Self {
             reference,
             error,
             at,
-            epsilon,
+            mean: mean.max(f64::MIN_POSITIVE.sqrt()),
+            weights: Weights::EachValue,
+        }
+    }
+
+    /// The same, errors relative to the reference's mean instead of each of its values: openness is 0 in
+    /// many a fold, and a relative error there would hide all others.
+    pub(super) fn by_mean(self) -> Self {
+        Self {
+            weights: Weights::Mean,
+            ..self
+        }
+    }
+
+    /// What its errors are called.
+    pub(super) fn name(&self) -> &'static str {
+        match self.weights {
+            Weights::EachValue => "relMSE",
+            Weights::Mean => "MSE / mean²",
         }
     }
 
@@ -48,7 +75,7 @@ impl<'a> Judge<'a> {
         self.mean_of(|i| self.r(i))
     }
 
-    /// That estimate `a` is nearer to the reference than `b`, in relMSE.
+    /// That estimate `a` is nearer to the reference than `b`, by the judge's weights.
     pub(super) fn nearer(
         &self,
         what: impl Into<String>,
@@ -58,10 +85,15 @@ impl<'a> Judge<'a> {
     ) -> Trial {
         let between = self.deviation(|i| a.get(i).as_dvec3() - b.get(i).as_dvec3());
         let errors = (self.relmse(a).value, self.relmse(b).value);
-        Trial::less_by(format!("{}, relMSE", what.into()), backend, errors, between)
+        Trial::less_by(
+            format!("{}, {}", what.into(), self.name()),
+            backend,
+            errors,
+            between,
+        )
     }
 
-    /// Mean squared error relative to the reference's square, as [`crate::metrics`] has it, with three
+    /// Mean squared error by the judge's weights, with three
     /// standard errors of what the reference's noise makes of it.
     pub(super) fn relmse(&self, e: &Estimate) -> Amount {
         let difference = |i| e.get(i).as_dvec3() - self.r(i);
@@ -109,7 +141,11 @@ impl<'a> Judge<'a> {
     }
 
     fn weight(&self, i: usize) -> DVec3 {
-        (self.r(i) * self.r(i) + self.epsilon).recip()
+        let epsilon = (EPSILON_FRACTION * self.mean).powi(2);
+        match self.weights {
+            Weights::EachValue => (self.r(i) * self.r(i) + epsilon).recip(),
+            Weights::Mean => DVec3::splat(self.mean.powi(-2)),
+        }
     }
 
     fn mean_of(&self, value: impl Fn(usize) -> DVec3) -> f64 {
@@ -174,6 +210,8 @@ mod tests {
         );
         assert!((exact.relmse(&near).value - 0.01).abs() < 1e-4);
         assert!((exact.relative_rms(&far) - 0.3).abs() < 1e-6);
+        let trial = exact.by_mean().nearer("this", Backend::Cpu, &near, &far);
+        assert_eq!(trial.what, "this, MSE / mean²");
     }
 
     #[test]

@@ -8,6 +8,8 @@ use super::super::place::Place;
 use super::super::verdict::{Amount, Trial};
 use crate::error::HarnessError;
 use crate::record::Backend;
+use crate::truth::References;
+use crate::view::View;
 use glam::{DVec3, Vec3};
 use interreflect_estimators::Quantity;
 use interreflect_scene::{Estimate, PointLayout, Points};
@@ -20,25 +22,16 @@ const ALIKE: f64 = 0.5;
 const ENOUGH: f64 = 0.5;
 
 pub(super) fn cornell_box(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
-    in_scene(desk, "cornell-box", true)
-}
-
-pub(super) fn cave(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
-    in_scene(desk, "cave", false)
-}
-
-/// A scene as it comes; `coloured` if its walls' colours are what the figure is about.
-fn in_scene(desk: &Desk<'_>, scene: &str, coloured: bool) -> Result<Finding, HarnessError> {
     let mut finding = Finding::default();
-    let room = desk.room(&Place::of(scene), &mut finding)?;
-    for light in compare(desk, &room, scene, &mut finding)? {
-        let enough = Amount::exact(ENOUGH);
-        let what = format!("{scene}: a half below the share of the truth's light");
-        finding
-            .trials
-            .push(Trial::less(what, light.backend, enough, light.energy));
-        if coloured {
-            let what = format!("{scene}: a half below the correlation of colours");
+    for lamp in ["area", "spot"] {
+        let room = desk.room(&Place::of("cornell-box").set("light", lamp), &mut finding)?;
+        let view = desk.view(&room)?;
+        let points = view.points(Quantity::Irradiance.layout());
+        let references = desk.precise(&room, Quantity::Irradiance, &points);
+        let case = format!("{lamp} light");
+        for light in compare(desk, &room, (&case, &view, references), &mut finding)? {
+            enough(&case, &light, &mut finding);
+            let what = format!("{case}: a half below the correlation of colours");
             let alike = Amount::exact(ALIKE);
             finding
                 .trials
@@ -46,6 +39,27 @@ fn in_scene(desk: &Desk<'_>, scene: &str, coloured: bool) -> Result<Finding, Har
         }
     }
     Ok(finding)
+}
+
+pub(super) fn cave(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
+    let mut finding = Finding::default();
+    let room = desk.room(&Place::of("cave"), &mut finding)?;
+    let view = desk.view(&room)?;
+    let points = view.points(Quantity::Irradiance.layout());
+    let references = desk.references(&room, Quantity::Irradiance, &points);
+    for light in compare(desk, &room, ("cave", &view, references), &mut finding)? {
+        enough("cave", &light, &mut finding);
+    }
+    Ok(finding)
+}
+
+/// That most of the truth's light arrives.
+fn enough(case: &str, light: &Published, finding: &mut Finding) {
+    let what = format!("{case}: a half below the share of the truth's light");
+    let least = Amount::exact(ENOUGH);
+    finding
+        .trials
+        .push(Trial::less(what, light.backend, least, light.energy));
 }
 
 /// Light of the published map on a backend.
@@ -61,15 +75,13 @@ pub(super) struct Published {
 pub(super) fn compare(
     desk: &Desk<'_>,
     room: &Room<'_>,
-    case: &str,
+    (case, view, mut references): (&str, &View, References<'_>),
     finding: &mut Finding,
 ) -> Result<Vec<Published>, HarnessError> {
     let mut published = Vec::new();
-    let view = desk.view(room)?;
     let quantity = Quantity::Irradiance;
     let points = view.points(quantity.layout());
     let materials = view.points(PointLayout::Material);
-    let mut references = desk.references(room, quantity, &points);
     let truth = references.truth();
     let judge = Judge::new(truth, &points);
     let ambient = uniform(&truth.values, &points);

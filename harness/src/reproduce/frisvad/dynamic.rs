@@ -33,13 +33,12 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
     for backend in desk.backends() {
         frames(desk, &scene, (backend, count), &mut finding)?;
     }
-    let middle = moved(&scene, 0.5);
-    bleeding::compare(
-        desk,
-        &desk.set_up(&middle)?,
-        "middle of the sequence",
-        &mut finding,
-    )?;
+    let room = desk.set_up(&moved(&scene, 0.5))?;
+    let view = desk.view(&room)?;
+    let points = view.points(Quantity::Irradiance.layout());
+    let references = desk.references(&room, Quantity::Irradiance, &points);
+    let what = ("middle of the sequence", &view, references);
+    bleeding::compare(desk, &room, what, &mut finding)?;
     Ok(finding)
 }
 

@@ -21,7 +21,6 @@ const OFF: f64 = 1e-3;
 
 pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
     let mut finding = Finding::default();
-    // Equation 15 and Lambert's law need no normals; the whole material does.
     let map = desk.method("direct_radiance_map", &[])?;
     let facts_of = |room: &Room<'_>| room.cpu.scene().facts();
     for scene in ["cornell-box", "cave"] {

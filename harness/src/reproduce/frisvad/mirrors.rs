@@ -78,7 +78,7 @@ fn look(desk: &Desk<'_>, room: &Room<'_>, mirrors: Mirrors) -> Result<View, Harn
         at: ShadedAt::Pixels,
         mirrors,
     };
-    desk.whole_view(room, desk.pick(240, 640), look)
+    desk.whole_view(room, desk.pick(180, 640), look)
 }
 
 fn shoot(

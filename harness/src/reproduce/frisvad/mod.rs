@@ -11,7 +11,7 @@ mod rates;
 
 use super::{Experiment, Paper};
 
-const RULE_OF_COLOUR: &str = "A trial is one of these on a backend: irradiance by 3×3 samples is nearer to \
+const RULE_OF_COLOUR: &str = "A trial is one of these with an area or a spot light on a backend: irradiance by 3×3 samples is nearer to \
     path-traced truth, in relMSE and beyond its noise, than the best uniform ambient light, which has the \
     truth's mean colour; more than half of the truth's light arrives; and the colours (red less green over \
     their sum, weighted by the truth's brightness) correlate with the truth's by more than a half.";

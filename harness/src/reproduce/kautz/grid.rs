@@ -13,7 +13,7 @@ use crate::view::View;
 use interreflect_estimators::Quantity;
 use interreflect_scene::{Estimate, PointLayout};
 
-const BIASES: [f32; 4] = [0.0, 2.0, 4.0, 6.0];
+const BIASES: [f32; 4] = [-2.0, 0.0, 2.0, 4.0];
 
 const F_LAMBDAS: [f32; 3] = [0.1, 0.4, 0.9];
 
@@ -153,7 +153,7 @@ fn sharpness(view: &View, image: &HdrImage) -> f64 {
 fn pictures(view: &View, row: &[Estimate], f_lambda: f32) -> Row {
     let mut pictures = Row::plain(format!("f_λ = {f_lambda}"));
     for (estimate, bias) in row.iter().zip(BIASES) {
-        pictures.add(format!("b = {bias}"), view.lit(estimate));
+        pictures.add(format!("b = {bias}"), view.image(estimate));
     }
     pictures
 }

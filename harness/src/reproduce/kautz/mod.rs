@@ -41,10 +41,10 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         title: "box filter against the Phong filter, N = 225",
         claim: "The box filter of mip levels looks like the Phong filter of N = 225, and is fast enough \
             for every frame.",
-        rule: "A trial is an environment and a backend: at the matching level mirrored light, \
-            clipped at the white of the picture as a display does, differs by less than 10 % rms of its mean \
-            from the Phong filter's; and preparation takes less than a \
-            tenth of the Phong filter's time, beyond the spread of both.",
+        rule: "A trial is an environment and a backend: at the matching level pictures of mirrored light alone, \
+            clipped and encoded as they are shown, differ by less than 5 % of white, rms, from the Phong \
+            filter's; and preparation takes less than a tenth of the Phong filter's time, beyond the spread \
+            of both.",
         run: phong::run,
     },
     Experiment {

@@ -32,7 +32,7 @@ fn biases(desk: &Desk<'_>, finding: &mut Finding) -> Result<(), HarnessError> {
     let points = view.points(quantity.layout());
     let mut references = desk.references(&room, quantity, &points);
     let truth = references.truth();
-    let judge = Judge::new(truth, &points);
+    let judge = Judge::new(truth, &points).by_mean();
     let mut row = Row::against(
         "openness",
         "traced rays",
@@ -52,7 +52,7 @@ fn biases(desk: &Desk<'_>, finding: &mut Finding) -> Result<(), HarnessError> {
             )?;
             let shot = desk.shot(&room, backend, &*method, quantity, &points)?;
             finding.measure(
-                (format!("bias {label}"), "relMSE"),
+                (format!("bias {label}"), "MSE / mean²"),
                 backend,
                 judge.relmse(&shot.estimate),
                 "",

@@ -37,7 +37,7 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
         let mut references =
             desk.references(&moment.room, Quantity::AmbientOcclusion, &moment.points);
         let truth = references.truth();
-        let judge = Judge::at(&truth.values, Some(&truth.error), moment.seen());
+        let judge = Judge::at(&truth.values, Some(&truth.error), moment.seen()).by_mean();
         let (view, title) = (&moment.view, format!("at {time_s} s"));
         let mut row = Row::against(
             &*title,
@@ -49,13 +49,13 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
             let shaded = moment.shade(desk, (running, *backend), &*method, DEFORMING)?;
             let fixed = at_rest.get_or_insert_with(|| shaded.estimate.clone());
             finding.measure(
-                (&*title, "relMSE"),
+                (&*title, "MSE / mean²"),
                 *backend,
                 judge.relmse(&shaded.estimate),
                 "",
             );
             finding.measure(
-                (&*title, "relMSE of the shape at rest"),
+                (&*title, "MSE / mean² of the shape at rest"),
                 *backend,
                 judge.relmse(fixed),
                 "",

@@ -27,7 +27,7 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
     let points = view.points(quantity.layout());
     let mut references = desk.references(&room, quantity, &points);
     let truth = references.truth();
-    let judge = Judge::new(truth, &points);
+    let judge = Judge::new(truth, &points).by_mean();
     let mut row = Row::against(
         "openness",
         "traced rays",
@@ -46,7 +46,7 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
             let rms = Amount::exact(judge.relative_rms(&shot.estimate));
             let case = format!("k = {k}");
             finding.measure(
-                (&*case, "relMSE"),
+                (&*case, "MSE / mean²"),
                 backend,
                 judge.relmse(&shot.estimate),
                 "",

@@ -5,6 +5,7 @@ use super::super::finding::Finding;
 use super::super::pictures::Row;
 use super::super::place::Place;
 use super::super::verdict::{Amount, Trial};
+use super::directions;
 use super::sequence::{DEFORMING, Moment, RESTING};
 use crate::error::HarnessError;
 use crate::record::Backend;
@@ -12,8 +13,8 @@ use crate::stages::Running;
 use interreflect_estimators::Configured;
 use interreflect_scene::{Estimate, Scene};
 
-/// The full level, and one that the frame rate allows.
-const LEVELS: [u32; 2] = [3, 1];
+/// How far below the full level the frame rate is within reach.
+const BELOW: u32 = 2;
 
 /// How far over its time a frame may be.
 const SLACK: f64 = 1.2;
@@ -48,22 +49,22 @@ fn held(
             &[
                 ("level", &level),
                 ("target_fps", &fps),
-                ("map_resolution", &desk.pick(96, 256)),
+                ("map_resolution", &desk.pick(64, 256)),
             ],
         )
     };
-    let frames = desk.pick(10, 24);
-    let full = method(LEVELS[0], 0.0)?;
+    let (highest, frames) = desk.pick((2, 10), (3, 24));
+    let full = method(highest, 0.0)?;
     let (full_ms, _) = moving(desk, rest, (backend, SETTLED + 3), &*full)?;
     let (low_ms, _) = moving(
         desk,
         rest,
         (backend, SETTLED + 3),
-        &*method(LEVELS[1], 0.0)?,
+        &*method(highest - BELOW, 0.0)?,
     )?;
     // Between both on a logarithmic scale: the control needs room for a level and its costlier neighbour.
     let budget_ms = (full_ms.value * low_ms.value).sqrt();
-    let controlled = method(LEVELS[0], 1e3 / budget_ms)?;
+    let controlled = method(highest, 1e3 / budget_ms)?;
     let (held_ms, mut running) = moving(desk, rest, (backend, frames), &*controlled)?;
     let last = Moment::of(desk, rest, time_of(frames - 1))?;
     let in_motion = last
@@ -81,11 +82,12 @@ fn held(
         .estimate;
     let left = difference(&at_rest, &best);
     let unit = ("ms", desk.software(backend));
+    let at_level = |level| format!("frame at {} directions", directions(level));
     for (name, ms) in [
-        ("frame at 258 directions", full_ms),
-        ("frame at 18 directions", low_ms),
-        ("time for a frame", Amount::exact(budget_ms)),
-        ("controlled frame", held_ms),
+        (at_level(highest), full_ms),
+        (at_level(highest - BELOW), low_ms),
+        ("time for a frame".into(), Amount::exact(budget_ms)),
+        ("controlled frame".into(), held_ms),
     ] {
         finding.time(("moving", name), backend, ms, unit);
     }

@@ -11,7 +11,7 @@ mod times;
 use super::{Experiment, Paper};
 
 const RULE_OF_OCCLUSION: &str = "A trial is a scene, a reference and a backend: irradiance with occlusion by 258 \
-    directions, 1,026 unless quick, is nearer to the reference, in relMSE beyond its noise, than that of the \
+    directions, 1,026 unless quick, is nearer to the reference, in mean squared error beyond its noise, than that of the \
     same environment without any. References are path-traced: all light, and environment light alone, \
     occluded by surfaces that reflect nothing.";
 
@@ -33,8 +33,8 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         title: "number of directions",
         claim: "More directions come nearer to the true occlusion; a few hundred are enough. Taken as: \
             openness of a model with 6, 18, 66, 258 and, unless quick, 1,026 directions.",
-        rule: "A trial is a step on a backend: with four times as many directions relMSE against traced rays \
-            falls by more than their noise; and with 258 the difference is less than 5 % rms of the mean.",
+        rule: "A trial is a step on a backend: with four times as many directions the mean squared error against traced \
+            rays falls by more than their noise; and with 258 the difference is less than 5 % rms of the mean.",
         run: directions::run,
     },
     Experiment {
@@ -45,7 +45,7 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         claim: "A slope-scaled depth bias keeps surfaces from occluding themselves; the lists of unseen \
             triangles and of vertices to do leave the picture as it is. Taken as both.",
         rule: "A trial is a rival or a picture on a backend: with the slope-scaled bias openness is nearer to \
-            traced rays, in relMSE beyond their noise, than with a constant one and with none; and filtering \
+            traced rays, in mean squared error beyond their noise, than with a constant one and with none; and filtering \
             changes the pixels of a turning camera's pictures by less than a thousandth of their mean.",
         run: bias::run,
     },
@@ -76,7 +76,7 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         title: "a deforming model",
         claim: "Nothing is computed beforehand: a model may deform, and each frame has its own occlusion.",
         rule: "A trial is a frame on a backend: occlusion that is evaluated anew is nearer to traced rays, in \
-            relMSE beyond their noise, than that of the model at rest, at the vertices that are seen.",
+            mean squared error beyond their noise, than that of the model at rest, at the vertices that are seen.",
         run: deformed::run,
     },
     Experiment {
@@ -99,8 +99,8 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         title: "a frame rate that is held",
         claim: "While the model moves the number of directions is lowered so that a frame rate is held; at \
             rest it is refined again.",
-        rule: "A trial is a backend: of a rate that the full level misses and one of 66 directions could \
-            reach, the controlled median of moving frames, once settled, keeps within 120 %; the uncontrolled \
+        rule: "A trial is a backend: of a rate between what the full level reaches and what one of a \
+            sixteenth of its directions does, the controlled median of moving frames, once settled, keeps within 120 %; the uncontrolled \
             one does not; and some frames after the model has come to rest the estimate is that of the full \
             level, within a thousandth of the mean.",
         run: frame_rate::run,

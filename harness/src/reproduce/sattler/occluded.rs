@@ -60,9 +60,9 @@ fn compare(
     let black = references.model(OwnModel::OccludedEnvironment);
     let (black, black_error) = (black.values.clone(), black.error.clone());
     let surfaces = (0..points.len()).filter(|&i| points.get(i).is_some());
-    let own = Judge::at(&black, Some(&black_error), surfaces.collect());
+    let own = Judge::at(&black, Some(&black_error), surfaces.collect()).by_mean();
     let truth = references.truth();
-    let judge = Judge::new(truth, &points);
+    let judge = Judge::new(truth, &points).by_mean();
     let mut row = Row::against(
         case,
         "path tracing",
@@ -82,9 +82,9 @@ fn compare(
         for (label, method) in [("without occlusion", open), ("with occlusion", occluded)] {
             let shot = desk.shot(&room, backend, &*method, quantity, &points)?;
             let at = |name: &str| (case.to_owned(), format!("{name}, {label}"));
-            finding.measure(at("relMSE"), backend, judge.relmse(&shot.estimate), "");
+            finding.measure(at("MSE / mean²"), backend, judge.relmse(&shot.estimate), "");
             finding.measure(
-                at("relMSE to occluded environment light"),
+                at("MSE / mean² to occluded environment light"),
                 backend,
                 own.relmse(&shot.estimate),
                 "",

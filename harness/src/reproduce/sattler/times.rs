@@ -9,154 +9,177 @@ use super::sequence::{DEFORMING, Moment, RESTING};
 use crate::error::HarnessError;
 use crate::record::Backend;
 use crate::stages::Running;
-use interreflect_estimators::Quantity;
-use interreflect_scene::Scene;
+use interreflect_estimators::{Configured, Quantity};
 use interreflect_scene::motion::Moves;
 
-/// Levels of the table.
-const LEVELS: [u32; 2] = [1, 2];
+/// How a model is shown.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Way {
+    /// It deforms.
+    Animated,
+    /// It deforms, and only vertices about to be seen are evaluated.
+    Filtered,
+    /// It rests while the environment turns.
+    Static,
+}
 
-/// Times of one model and level.
-struct Times {
-    deforming: Amount,
-    filtered: Amount,
-    resting: Amount,
+const WAYS: [(Way, &str); 3] = [
+    (Way::Animated, "animated"),
+    (Way::Filtered, "animated, filtered"),
+    (Way::Static, "static"),
+];
+
+/// A session with its times.
+struct Film {
+    backend: Backend,
+    level: u32,
+    way: Way,
+    method: Box<dyn Configured>,
+    running: Running,
+    ms: Vec<f64>,
+}
+
+/// A model's sessions.
+struct Column {
+    model: String,
+    vertices: usize,
+    films: Vec<Film>,
+}
+
+impl Column {
+    fn time(&self, backend: Backend, level: u32, way: Way) -> Amount {
+        let same = |f: &&Film| (f.backend, f.level, f.way) == (backend, level, way);
+        let film = self.films.iter().find(same);
+        film.map_or(Amount::exact(f64::NAN), |f| amount_of(&f.ms))
+    }
 }
 
 pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
     let mut finding = Finding::default();
-    for backend in desk.backends() {
-        let mut table = Vec::new();
-        for model in ["dragon", "buddha", "bunny"] {
-            let model = desk.mesh(model);
-            let place = Place::of("studio")
-                .with(&model)
-                .set("receiver.deformation", "wave")
-                .set("environment.turn_deg_per_s", 30);
-            let rest = desk.scene(&place, &mut finding)?;
-            let vertices: usize = rest.objects.iter().map(|o| o.mesh.positions.len()).sum();
-            let mut of_model = Vec::new();
-            for &level in levels(desk) {
-                let times = measure(desk, &rest, (backend, level))?;
-                note(
-                    (&model.name, vertices),
-                    (desk, backend, level),
-                    &times,
-                    &mut finding,
-                );
-                of_model.push(times);
-            }
-            table.push((model.name, vertices, of_model));
+    let models: &[&str] = desk.pick(&["dragon", "bunny"], &["dragon", "buddha", "bunny"]);
+    let mut table = Vec::new();
+    for name in models {
+        let column = column(desk, name, &mut finding)?;
+        for film in &column.films {
+            note(desk, &column, film, &mut finding);
         }
-        judge(desk, backend, &table, &mut finding);
+        table.push(column);
+    }
+    for backend in desk.backends() {
+        judge(levels(desk), backend, &table, &mut finding);
     }
     Ok(finding)
 }
 
 fn levels(desk: &Desk<'_>) -> &'static [u32] {
-    desk.pick(&LEVELS[..], &[0, 1, 2, 3])
+    desk.pick(&[1, 2], &[0, 1, 2, 3])
 }
 
-fn measure(
-    desk: &Desk<'_>,
-    rest: &Scene,
-    (backend, level): (Backend, u32),
-) -> Result<Times, HarnessError> {
-    let resolution = desk.pick(96, 256);
-    let method = |filter: bool| {
-        desk.method(
-            "directional_ao",
-            &[
-                ("level", &level),
-                ("map_resolution", &resolution),
-                ("filter", &filter),
-            ],
-        )
-    };
-    let (plain, with_lists) = (method(false)?, method(true)?);
-    let frames = desk.pick(4_u8, 12);
-    let mut running: [Running; 3] = Default::default();
-    let [all, filtered, still] = &mut running;
-    let (mut plain_ms, mut filtered_ms, mut still_ms) = (Vec::new(), Vec::new(), Vec::new());
-    let resting = Moment::of(desk, rest, 0.0)?;
+fn column(desk: &Desk<'_>, name: &str, finding: &mut Finding) -> Result<Column, HarnessError> {
+    let model = desk.mesh(name);
+    let place = Place::of("studio")
+        .with(&model)
+        .set("receiver.deformation", "wave")
+        .set("environment.turn_deg_per_s", 30);
+    let rest = desk.scene(&place, finding)?;
+    let mut films = Vec::new();
+    for backend in desk.backends() {
+        for &level in levels(desk) {
+            for (way, _) in WAYS {
+                films.push(film(desk, backend, level, way)?);
+            }
+        }
+    }
+    let resting = Moment::of(desk, &rest, 0.0)?;
     let turning = Moves {
         environment: true,
         ..RESTING
     };
-    for index in 0..=frames {
-        let moment = Moment::of(desk, rest, f32::from(index) / 15.0)?;
-        let of = Quantity::Irradiance;
-        let a = moment.shade_as(desk, (all, backend), (&*plain, of), DEFORMING)?;
-        let b = moment.shade_as(desk, (filtered, backend), (&*with_lists, of), DEFORMING)?;
-        let c = resting.shade_as(desk, (still, backend), (&*plain, of), turning)?;
-        // The first frames warm up, and the resting model's has all its directions to do.
-        if index > 0 {
-            plain_ms.push(a.ms);
-            filtered_ms.push(b.ms);
-            still_ms.push(c.ms);
+    for index in 0..=desk.pick(4_u8, 12) {
+        let moment = Moment::of(desk, &rest, f32::from(index) / 15.0)?;
+        for film in &mut films {
+            let (shown, moves) = match film.way {
+                Way::Static => (&resting, turning),
+                Way::Animated | Way::Filtered => (&moment, DEFORMING),
+            };
+            let (on, of) = ((&mut film.running, film.backend), Quantity::Irradiance);
+            let shaded = shown.shade_as(desk, on, (&*film.method, of), moves)?;
+            // The first frame warms up, and a resting model's has all its directions to do.
+            if index > 0 {
+                film.ms.push(shaded.ms);
+            }
         }
     }
-    Ok(Times {
-        deforming: amount_of(&plain_ms),
-        filtered: amount_of(&filtered_ms),
-        resting: amount_of(&still_ms),
+    Ok(Column {
+        model: model.name,
+        vertices: rest.objects.iter().map(|o| o.mesh.positions.len()).sum(),
+        films,
     })
 }
 
-fn note(
-    (model, vertices): (&str, usize),
-    (desk, backend, level): (&Desk<'_>, Backend, u32),
-    times: &Times,
-    finding: &mut Finding,
-) {
-    let case = format!("{model}, {vertices} vertices, k = {}", directions(level));
-    for (name, ms) in [
-        ("animated", times.deforming),
-        ("animated, filtered", times.filtered),
-        ("static", times.resting),
-    ] {
-        finding.time((&*case, name), backend, ms, ("ms", desk.software(backend)));
+fn film(desk: &Desk<'_>, backend: Backend, level: u32, way: Way) -> Result<Film, HarnessError> {
+    let method = desk.method(
+        "directional_ao",
+        &[
+            ("level", &level),
+            ("map_resolution", &desk.pick(64, 256)),
+            ("filter", &(way == Way::Filtered)),
+        ],
+    )?;
+    Ok(Film {
+        backend,
+        level,
+        way,
+        method,
+        running: Running::default(),
+        ms: Vec::new(),
+    })
+}
+
+fn note(desk: &Desk<'_>, column: &Column, film: &Film, finding: &mut Finding) {
+    let (model, vertices, k) = (&column.model, column.vertices, directions(film.level));
+    let case = format!("{model}, {vertices} vertices, k = {k}");
+    let names = WAYS.iter().filter(|(way, _)| *way == film.way);
+    for (_, name) in names {
+        let unit = ("ms", desk.software(film.backend));
+        finding.time((&*case, *name), film.backend, amount_of(&film.ms), unit);
     }
 }
 
-fn judge(
-    desk: &Desk<'_>,
-    backend: Backend,
-    table: &[(String, usize, Vec<Times>)],
-    finding: &mut Finding,
-) {
-    for (model, _, times) in table {
-        for (pair, level) in times.windows(2).zip(levels(desk)) {
-            let (fewer, more) = (directions(*level), directions(level + 1));
-            let what = format!("{model}: {fewer} directions below {more}, ms");
-            finding.trials.push(Trial::less(
-                what,
-                backend,
-                pair[0].deforming,
-                pair[1].deforming,
-            ));
+fn judge(levels: &[u32], backend: Backend, table: &[Column], finding: &mut Finding) {
+    let mut less = |what: String, a: Amount, b: Amount| {
+        finding.trials.push(Trial::less(what, backend, a, b));
+    };
+    for column in table {
+        let (model, time) = (&column.model, |l, way| column.time(backend, l, way));
+        for pair in levels.windows(2) {
+            let [fewer, more] = [pair[0], pair[1]];
+            let what = format!(
+                "{model}: {} directions below {}, ms",
+                directions(fewer),
+                directions(more)
+            );
+            less(what, time(fewer, Way::Animated), time(more, Way::Animated));
         }
-        for (t, level) in times.iter().zip(levels(desk)) {
-            let k = directions(*level);
+        for &level in levels {
+            let (k, animated) = (directions(level), time(level, Way::Animated));
             let what = format!("{model}, k = {k}: filtered below unfiltered, ms");
-            finding
-                .trials
-                .push(Trial::less(what, backend, t.filtered, t.deforming));
+            less(what, time(level, Way::Filtered), animated);
             let what = format!("{model}, k = {k}: static below animated, ms");
-            finding
-                .trials
-                .push(Trial::less(what, backend, t.resting, t.deforming));
+            less(what, time(level, Way::Static), animated);
         }
     }
-    let fewest = table.iter().min_by_key(|t| t.1);
-    let most = table.iter().max_by_key(|t| t.1);
-    if let (Some(fewest), Some(most)) = (fewest, most) {
-        for ((a, b), level) in fewest.2.iter().zip(&most.2).zip(levels(desk)) {
-            let (k, few, many) = (directions(*level), fewest.1, most.1);
-            let what = format!("k = {k}: {few} vertices below {many}, ms");
-            finding
-                .trials
-                .push(Trial::less(what, backend, a.deforming, b.deforming));
+    let fewest = table.iter().min_by_key(|c| c.vertices);
+    let most = table.iter().max_by_key(|c| c.vertices);
+    if let (Some(few), Some(many)) = (fewest, most) {
+        for &level in levels {
+            let k = directions(level);
+            let what = format!(
+                "k = {k}: {} vertices below {}, ms",
+                few.vertices, many.vertices
+            );
+            let time = |column: &Column| column.time(backend, level, Way::Animated);
+            less(what, time(few), time(many));
         }
     }
 }
