@@ -206,7 +206,7 @@ impl<'a> Desk<'a> {
         quantity: Quantity,
         points: &Points,
     ) -> Result<Shot, HarnessError> {
-        self.measured(room, backend, method, (quantity, points), self.pick(7, 21))
+        self.measured(room, backend, method, (quantity, points), self.pick(5, 21))
     }
 
     /// The only place that measures: `repeat` times beside the first.

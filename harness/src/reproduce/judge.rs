@@ -126,10 +126,18 @@ impl<'a> Judge<'a> {
         self.at.iter().map(excess).fold(0.0, f64::max) / self.mean()
     }
 
-    /// Root mean square difference over the mean of the reference.
-    pub(super) fn relative_rms(&self, e: &Estimate) -> f64 {
-        let square = self.mean_of(|i| (e.get(i).as_dvec3() - self.r(i)).powf(2.0));
-        square.sqrt() / self.mean()
+    /// Root mean square difference over the mean of the reference, less what the reference's noise
+    /// adds to it.
+    pub(super) fn relative_rms(&self, e: &Estimate) -> Amount {
+        let difference = |i| e.get(i).as_dvec3() - self.r(i);
+        let square = self.mean_of(|i| difference(i).powf(2.0) - self.s(i).powf(2.0));
+        let value = square.max(0.0).sqrt() / self.mean;
+        let doubt = self.deviation_by(difference, |_| DVec3::splat(self.mean.powi(-2)));
+        Amount {
+            value,
+            // Of a root, and of one that is 0.
+            spread: (doubt / (2.0 * value)).min(doubt.sqrt()),
+        }
     }
 
     fn r(&self, i: usize) -> DVec3 {
@@ -153,10 +161,18 @@ impl<'a> Judge<'a> {
         sum / (3 * self.at.len().max(1)) as f64
     }
 
-    /// Three standard errors of 2·mean(w·d·r) that the reference's noise causes.
+    /// Three standard errors of 2·mean(w·d·r) that the reference's noise causes, by the judge's weights.
     fn deviation(&self, difference: impl Fn(usize) -> DVec3) -> f64 {
+        self.deviation_by(difference, |i| self.weight(i))
+    }
+
+    fn deviation_by(
+        &self,
+        difference: impl Fn(usize) -> DVec3,
+        weight: impl Fn(usize) -> DVec3,
+    ) -> f64 {
         let of_point = |&i: &usize| {
-            let terms = self.weight(i) * difference(i) * self.s(i);
+            let terms = weight(i) * difference(i) * self.s(i);
             terms.abs().element_sum().powi(2)
         };
         let variance: f64 = self.at.iter().map(of_point).sum();
@@ -209,7 +225,14 @@ mod tests {
             Outcome::Fails
         );
         assert!((exact.relmse(&near).value - 0.01).abs() < 1e-4);
-        assert!((exact.relative_rms(&far) - 0.3).abs() < 1e-6);
+        let rms = exact.relative_rms(&far);
+        assert!((rms.value - 0.3).abs() < 1e-6 && rms.spread == 0.0);
+        let noisy = estimate(&[0.3; 9]);
+        let judge = Judge::at(&reference, Some(&noisy), (0..9).collect());
+        assert!(
+            judge.relative_rms(&far).value < 1e-3,
+            "all of it may be noise"
+        );
         let trial = exact.by_mean().nearer("this", Backend::Cpu, &near, &far);
         assert_eq!(trial.what, "this, MSE / mean²");
     }

@@ -6,7 +6,6 @@ use super::super::pictures::Row;
 use super::super::place::Place;
 use super::super::verdict::{Amount, Trial};
 use crate::error::HarnessError;
-use crate::record::Backend;
 use crate::view::View;
 use glam::{Quat, Vec3};
 use interreflect_estimators::Quantity;
@@ -38,64 +37,56 @@ fn in_scene(desk: &Desk<'_>, scene: &str, finding: &mut Finding) -> Result<(), H
     let room = desk.set_up(&rest)?;
     let view = desk.view_of(&room, desk.pick(5_000, 20_000))?;
     let points = view.points(Quantity::Irradiance.layout());
-    for backend in desk.backends() {
+    let sequences = sequences(desk, &rest, &points)?;
+    for (backend, maps) in desk.backends().into_iter().zip(&sequences) {
         let mut flicker = Vec::new();
         let mut rows = Row::plain(format!("{scene}: two frames, {backend}"));
-        for map in MAPS {
-            let frames = sequence(desk, &rest, (&points, backend), map)?;
-            let value = second_difference(&frames);
+        for (map, frames) in MAPS.iter().zip(maps) {
+            let value = second_difference(frames);
             let case = format!("{scene}, {}", map.0);
-            finding.measure(
-                (case, "second difference / mean"),
-                backend,
-                Amount::exact(value),
-                "",
-            );
+            let amount = Amount::exact(value);
+            finding.measure((case, "second difference / mean"), backend, amount, "");
             flicker.push(value);
-            pictures(&view, &frames, map.0, &mut rows);
+            pictures(&view, frames, map.0, &mut rows);
         }
-        let what =
-            format!("{scene}: {FLASHES} times the flicker of all texels below that of 3×3 samples");
-        finding.trials.push(Trial::less_by(
-            what,
-            backend,
-            (FLASHES * flicker[2], flicker[0]),
-            0.0,
-        ));
+        let what = format!("{scene}: {FLASHES} times the flicker of all texels below that of 3×3");
+        let trial = Trial::less_by(what, backend, (FLASHES * flicker[2], flicker[0]), 0.0);
+        finding.trials.push(trial);
         let what = format!("{scene}: flicker with averaging below {REDUCED} of that without");
-        finding.trials.push(Trial::less_by(
-            what,
-            backend,
-            (flicker[1], REDUCED * flicker[0]),
-            0.0,
-        ));
+        let trial = Trial::less_by(what, backend, (flicker[1], REDUCED * flicker[0]), 0.0);
+        finding.trials.push(trial);
         finding.pictures.push(rows);
     }
     Ok(())
 }
 
-fn sequence(
+/// For each backend and each map the frames of a swinging light.
+fn sequences(
     desk: &Desk<'_>,
     rest: &Scene,
-    (points, backend): (&Points, Backend),
-    (_, samples, texels, fidelity, mip): (&str, u32, u32, &str, bool),
-) -> Result<Vec<Estimate>, HarnessError> {
-    let map = desk.method(
-        "direct_radiance_map",
-        &[
-            ("samples_per_side", &samples),
-            ("map_resolution", &texels),
-            ("fidelity", &fidelity),
-            ("mip", &mip),
-        ],
-    )?;
-    let count = desk.pick(24, 90);
-    let frame = |index: u32| {
-        let room = desk.set_up(&swung(rest, index as f32 / 30.0))?;
-        let shot = desk.shot(&room, backend, &*map, Quantity::Irradiance, points)?;
-        Ok(shot.estimate)
-    };
-    (0..count).map(frame).collect()
+    points: &Points,
+) -> Result<Vec<[Vec<Estimate>; 3]>, HarnessError> {
+    let mut all: Vec<[Vec<Estimate>; 3]> = Vec::new();
+    all.resize_with(desk.backends().len(), Default::default);
+    for index in 0..desk.pick(24_u8, 90) {
+        let room = desk.set_up(&swung(rest, f32::from(index) / 30.0))?;
+        for (backend, maps) in desk.backends().into_iter().zip(&mut all) {
+            for ((_, samples, texels, fidelity, mip), frames) in MAPS.into_iter().zip(maps) {
+                let map = desk.method(
+                    "direct_radiance_map",
+                    &[
+                        ("samples_per_side", &samples),
+                        ("map_resolution", &texels),
+                        ("fidelity", &fidelity),
+                        ("mip", &mip),
+                    ],
+                )?;
+                let shot = desk.shot(&room, backend, &*map, Quantity::Irradiance, points)?;
+                frames.push(shot.estimate);
+            }
+        }
+    }
+    Ok(all)
 }
 
 /// The scene with its spot light swinging about the axis into it, 30° a second.

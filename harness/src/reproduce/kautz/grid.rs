@@ -83,7 +83,9 @@ fn judge(
             .map(|e| sharpness(view, &view.image(e)))
             .collect();
         let away = |(e, p): (&Estimate, &Estimate)| {
-            Judge::at(p, None, (0..p.len()).collect()).relative_rms(e)
+            Judge::at(p, None, (0..p.len()).collect())
+                .relative_rms(e)
+                .value
         };
         gloss.push(row.iter().zip(plain).map(away).collect());
         for (i, b) in BIASES.into_iter().enumerate() {

@@ -46,7 +46,7 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
             )?;
             let slow =
                 desk.timed_shot(&room, backend, &*convolved, Quantity::Irradiance, &points)?;
-            let rms = Amount::exact(judge.relative_rms(&shot.estimate));
+            let rms = judge.relative_rms(&shot.estimate);
             finding.measure((name, "rms error / mean"), backend, rms, "");
             for (label, ms) in [
                 ("both maps", both.prepare_ms()),

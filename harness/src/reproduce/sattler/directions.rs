@@ -25,7 +25,7 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
     )?;
     let view = desk.view(&room)?;
     let points = view.points(quantity.layout());
-    let mut references = desk.references(&room, quantity, &points);
+    let mut references = desk.precise(&room, quantity, &points);
     let truth = references.truth();
     let judge = Judge::new(truth, &points).by_mean();
     let mut row = Row::against(
@@ -43,7 +43,7 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
                 &[("level", &level), ("map_resolution", &desk.pick(192, 512))],
             )?;
             let shot = desk.shot(&room, backend, &*method, quantity, &points)?;
-            let rms = Amount::exact(judge.relative_rms(&shot.estimate));
+            let rms = judge.relative_rms(&shot.estimate);
             let case = format!("k = {k}");
             finding.measure(
                 (&*case, "MSE / mean²"),

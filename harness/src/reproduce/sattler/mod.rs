@@ -12,7 +12,8 @@ use super::{Experiment, Paper};
 
 const RULE_OF_OCCLUSION: &str = "A trial is a scene, a reference and a backend: irradiance with occlusion by 258 \
     directions, 1,026 unless quick, is nearer to the reference, in mean squared error beyond its noise, than that of the \
-    same environment without any. References are path-traced: all light, and environment light alone, \
+    same environment without any, each up to one factor on its brightness, since the paper's sum has no \
+    weight. References are path-traced: all light, and environment light alone, \
     occluded by surfaces that reflect nothing.";
 
 pub(super) const EXPERIMENTS: &[Experiment] = &[

@@ -2,9 +2,10 @@
 
 use super::super::desk::Desk;
 use super::super::finding::Finding;
-use super::super::judge::Judge;
+use super::super::judge::{Judge, scaled};
 use super::super::pictures::Row;
 use super::super::place::Place;
+use super::super::verdict::Amount;
 use crate::error::HarnessError;
 use interreflect_estimators::{OwnModel, Quantity};
 
@@ -17,11 +18,12 @@ pub(super) fn one_model(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
 
 pub(super) fn environments(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
     let mut finding = Finding::default();
-    for (model, map) in [
+    let all = [
         ("buddha", "blender_courtyard"),
         ("dragon", "blender_interior"),
         ("dragon", "pmndrs_hall"),
-    ] {
+    ];
+    for &(model, map) in desk.pick(&all[..2], &all[..]) {
         let environment = desk.assets().environment(map);
         if environment.is_none() {
             finding.note(format!(
@@ -81,25 +83,33 @@ fn compare(
         let mut estimates = Vec::new();
         for (label, method) in [("without occlusion", open), ("with occlusion", occluded)] {
             let shot = desk.shot(&room, backend, &*method, quantity, &points)?;
+            // The paper's sum has no weight: its pictures are as bright as they are made.
+            let [to_all, to_own] = [&judge, &own].map(|judge| {
+                let estimate = scaled(&shot.estimate, judge.factor(&shot.estimate));
+                (judge.relmse(&estimate), estimate)
+            });
             let at = |name: &str| (case.to_owned(), format!("{name}, {label}"));
-            finding.measure(at("MSE / mean²"), backend, judge.relmse(&shot.estimate), "");
-            finding.measure(
-                at("MSE / mean² to occluded environment light"),
-                backend,
-                own.relmse(&shot.estimate),
-                "",
-            );
+            let factor = Amount::exact(judge.factor(&shot.estimate));
+            finding.measure(at("MSE / mean²"), backend, to_all.0, "");
+            finding.measure(at("to occluded environment light"), backend, to_own.0, "");
+            finding.measure(at("factor on brightness"), backend, factor, "");
             if backend == desk.backends()[0] {
-                row.add(label, view.image(&shot.estimate));
+                row.add(label, view.image(&to_all.1));
             }
-            estimates.push(shot.estimate);
+            estimates.push([to_all.1, to_own.1]);
             finding.runs.push(shot.run);
         }
-        for (judge, reference) in [(&judge, "all light"), (&own, "occluded environment light")] {
-            let what = format!("{case}: nearer to {reference} with occlusion than without");
-            finding
-                .trials
-                .push(judge.nearer(what, backend, &estimates[1], &estimates[0]));
+        if let [without, with] = &estimates[..] {
+            for (i, (judge, reference)) in
+                [(&judge, "all light"), (&own, "occluded environment light")]
+                    .into_iter()
+                    .enumerate()
+            {
+                let what = format!("{case}: nearer to {reference} with occlusion than without");
+                finding
+                    .trials
+                    .push(judge.nearer(what, backend, &with[i], &without[i]));
+            }
         }
     }
     finding.pictures.push(row);
