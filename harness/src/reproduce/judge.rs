@@ -1,12 +1,15 @@
 //! Which of two estimates is nearer to a reference that errs itself.
 //!
-//! Both are compared with the same reference, so most of its noise cancels: with weights w as in
-//! [`crate::metrics`], relMSE(a) − relMSE(b) = Σ w(a−b)(a+b−2r)/n, whose standard error from that of r,
-//! s, is 2·√(Σ(w(a−b)s)²)/n. The channels of a point share their light paths and add up; points are
-//! independent. Three standard errors count as noise.
+//! Errors are mean squared ones over the square of the reference's mean. Unlike the relMSE of
+//! [`crate::metrics`] that lets what is nearly black count no more than the rest: folds and back faces
+//! are as good as black in many of these scenes, and pictures are judged by what is bright.
+//!
+//! Both estimates are compared with the same reference, so most of its noise cancels: the difference of
+//! their errors is Σ(a−b)(a+b−2r)/n, whose standard error from that of r, s, is 2·√(Σ((a−b)s)²)/n. The
+//! channels of a point share their light paths and add up; points are independent. Three standard
+//! errors count as noise.
 
 use super::verdict::{Amount, Trial};
-use crate::metrics::EPSILON_FRACTION;
 use crate::record::Backend;
 use glam::DVec3;
 use interreflect_conformance::own_model::ModelValues;
@@ -21,17 +24,10 @@ pub(super) struct Judge<'a> {
     error: Option<&'a Estimate>,
     at: Vec<usize>,
     mean: f64,
-    weights: Weights,
 }
 
-/// What squared errors are divided by.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Weights {
-    /// The square of each value of the reference, as [`crate::metrics`] has it.
-    EachValue,
-    /// The square of the reference's mean: what is nearly black counts no more than the rest.
-    Mean,
-}
+/// What errors are called in tables and trials.
+pub(super) const ERROR: &str = "MSE / mean²";
 
 impl<'a> Judge<'a> {
     /// A reference with its standard error.
@@ -49,24 +45,6 @@ impl<'a> Judge<'a> {
             error,
             at,
             mean: mean.max(f64::MIN_POSITIVE.sqrt()),
-            weights: Weights::EachValue,
-        }
-    }
-
-    /// The same, errors relative to the reference's mean instead of each of its values: openness is 0 in
-    /// many a fold, and a relative error there would hide all others.
-    pub(super) fn by_mean(self) -> Self {
-        Self {
-            weights: Weights::Mean,
-            ..self
-        }
-    }
-
-    /// What its errors are called.
-    pub(super) fn name(&self) -> &'static str {
-        match self.weights {
-            Weights::EachValue => "relMSE",
-            Weights::Mean => "MSE / mean²",
         }
     }
 
@@ -75,7 +53,7 @@ impl<'a> Judge<'a> {
         self.mean_of(|i| self.r(i))
     }
 
-    /// That estimate `a` is nearer to the reference than `b`, by the judge's weights.
+    /// That estimate `a` is nearer to the reference than `b`, in mean squared error.
     pub(super) fn nearer(
         &self,
         what: impl Into<String>,
@@ -84,30 +62,29 @@ impl<'a> Judge<'a> {
         b: &Estimate,
     ) -> Trial {
         let between = self.deviation(|i| a.get(i).as_dvec3() - b.get(i).as_dvec3());
-        let errors = (self.relmse(a).value, self.relmse(b).value);
+        let errors = (self.error(a).value, self.error(b).value);
         Trial::less_by(
-            format!("{}, {}", what.into(), self.name()),
+            format!("{}, {}", what.into(), ERROR),
             backend,
             errors,
             between,
         )
     }
 
-    /// Mean squared error by the judge's weights, with three
+    /// Mean squared error over the squared mean, with three
     /// standard errors of what the reference's noise makes of it.
-    pub(super) fn relmse(&self, e: &Estimate) -> Amount {
+    pub(super) fn error(&self, e: &Estimate) -> Amount {
         let difference = |i| e.get(i).as_dvec3() - self.r(i);
         Amount {
-            value: self.mean_of(|i| self.weight(i) * difference(i).powf(2.0)),
+            value: self.mean_of(|i| difference(i).powf(2.0)) / self.mean.powi(2),
             spread: self.deviation(difference),
         }
     }
 
-    /// The factor that brings an estimate nearest to the reference, by the same weights.
+    /// The factor that brings an estimate nearest to the reference.
     pub(super) fn factor(&self, e: &Estimate) -> f64 {
-        let sum = |f: &dyn Fn(DVec3, DVec3) -> DVec3| {
-            self.mean_of(|i| self.weight(i) * f(e.get(i).as_dvec3(), self.r(i)))
-        };
+        let sum =
+            |f: &dyn Fn(DVec3, DVec3) -> DVec3| self.mean_of(|i| f(e.get(i).as_dvec3(), self.r(i)));
         let square = sum(&|e, _| e * e);
         if square > 0.0 {
             sum(&|e, r| e * r) / square
@@ -132,7 +109,7 @@ impl<'a> Judge<'a> {
         let difference = |i| e.get(i).as_dvec3() - self.r(i);
         let square = self.mean_of(|i| difference(i).powf(2.0) - self.s(i).powf(2.0));
         let value = square.max(0.0).sqrt() / self.mean;
-        let doubt = self.deviation_by(difference, |_| DVec3::splat(self.mean.powi(-2)));
+        let doubt = self.deviation(difference);
         Amount {
             value,
             // Of a root, and of one that is 0.
@@ -148,35 +125,17 @@ impl<'a> Judge<'a> {
         self.error.map_or(DVec3::ZERO, |e| e.get(i).as_dvec3())
     }
 
-    fn weight(&self, i: usize) -> DVec3 {
-        let epsilon = (EPSILON_FRACTION * self.mean).powi(2);
-        match self.weights {
-            Weights::EachValue => (self.r(i) * self.r(i) + epsilon).recip(),
-            Weights::Mean => DVec3::splat(self.mean.powi(-2)),
-        }
-    }
-
     fn mean_of(&self, value: impl Fn(usize) -> DVec3) -> f64 {
         let sum: f64 = self.at.iter().map(|&i| value(i).element_sum()).sum();
         sum / (3 * self.at.len().max(1)) as f64
     }
 
-    /// Three standard errors of 2·mean(w·d·r) that the reference's noise causes, by the judge's weights.
+    /// Three standard errors of 2·mean(d·r)/mean² that the reference's noise causes.
     fn deviation(&self, difference: impl Fn(usize) -> DVec3) -> f64 {
-        self.deviation_by(difference, |i| self.weight(i))
-    }
-
-    fn deviation_by(
-        &self,
-        difference: impl Fn(usize) -> DVec3,
-        weight: impl Fn(usize) -> DVec3,
-    ) -> f64 {
-        let of_point = |&i: &usize| {
-            let terms = weight(i) * difference(i) * self.s(i);
-            terms.abs().element_sum().powi(2)
-        };
+        let of_point = |&i: &usize| (difference(i) * self.s(i)).abs().element_sum().powi(2);
         let variance: f64 = self.at.iter().map(of_point).sum();
-        DEVIATIONS * 2.0 * variance.sqrt() / (3 * self.at.len().max(1)) as f64
+        let values = (3 * self.at.len().max(1)) as f64;
+        DEVIATIONS * 2.0 * variance.sqrt() / values / self.mean.powi(2)
     }
 }
 
@@ -224,7 +183,7 @@ mod tests {
             exact.nearer("", Backend::Cpu, &far, &near).outcome,
             Outcome::Fails
         );
-        assert!((exact.relmse(&near).value - 0.01).abs() < 1e-4);
+        assert!((exact.error(&near).value - 0.01).abs() < 1e-4);
         let rms = exact.relative_rms(&far);
         assert!((rms.value - 0.3).abs() < 1e-6 && rms.spread == 0.0);
         let noisy = estimate(&[0.3; 9]);
@@ -233,7 +192,7 @@ mod tests {
             judge.relative_rms(&far).value < 1e-3,
             "all of it may be noise"
         );
-        let trial = exact.by_mean().nearer("this", Backend::Cpu, &near, &far);
+        let trial = exact.nearer("this", Backend::Cpu, &near, &far);
         assert_eq!(trial.what, "this, MSE / mean²");
     }
 
@@ -244,7 +203,7 @@ mod tests {
         let double = estimate(&[2.0, 4.0, 6.0]);
         let factor = judge.factor(&double);
         assert!((factor - 0.5).abs() < 1e-6);
-        assert!(judge.relmse(&scaled(&double, factor)).value < 1e-12);
+        assert!(judge.error(&scaled(&double, factor)).value < 1e-12);
         assert!((judge.spike(&double) - 1.5).abs() < 1e-6);
         assert_eq!(judge.spike(&estimate(&[0.0; 3])), 0.0);
     }

@@ -2,7 +2,7 @@
 
 use super::super::desk::{Desk, Room};
 use super::super::finding::Finding;
-use super::super::judge::Judge;
+use super::super::judge::{ERROR, Judge};
 use super::super::pictures::Row;
 use super::super::place::Place;
 use super::super::verdict::{Amount, Trial};
@@ -103,9 +103,9 @@ pub(super) fn compare(
             let alike = Amount::exact(correlation(estimate, &truth.values));
             let energy =
                 Amount::exact(sum(estimate).element_sum() / sum(&truth.values).element_sum());
-            let relmse = judge.relmse(estimate);
+            let error = judge.error(estimate);
             for (name, amount) in [
-                ("relMSE", relmse),
+                (ERROR, error),
                 ("energy", energy),
                 ("correlation of colours", alike),
             ] {
@@ -129,8 +129,8 @@ pub(super) fn compare(
             finding.runs.push(shot.run);
         }
     }
-    let at = (format!("{case}, uniform ambient light"), "relMSE");
-    finding.measure(at, desk.backends()[0], judge.relmse(&ambient), "");
+    let at = (format!("{case}, uniform ambient light"), ERROR);
+    finding.measure(at, desk.backends()[0], judge.error(&ambient), "");
     finding.pictures.extend([row, alone]);
     Ok(published)
 }

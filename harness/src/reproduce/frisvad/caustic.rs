@@ -2,7 +2,7 @@
 
 use super::super::desk::Desk;
 use super::super::finding::Finding;
-use super::super::judge::Judge;
+use super::super::judge::{ERROR, Judge};
 use super::super::pictures::Row;
 use super::super::place::Place;
 use super::super::verdict::{Amount, Trial};
@@ -56,11 +56,11 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
             let dark = desk.shot(&black, backend, &*map, quantity, &points)?;
             let share = (total(&with.estimate) - total(&dark.estimate)) / gained;
             let at = |name: &'static str| (fidelity, name);
-            finding.measure(at("relMSE"), backend, judge.relmse(&with.estimate), "");
+            finding.measure(at(ERROR), backend, judge.error(&with.estimate), "");
             finding.measure(
-                at("relMSE, black mirror"),
+                at("the same, black mirror"),
                 backend,
-                judge.relmse(&dark.estimate),
+                judge.error(&dark.estimate),
                 "",
             );
             finding.measure(

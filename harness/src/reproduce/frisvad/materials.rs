@@ -2,7 +2,7 @@
 
 use super::super::desk::Desk;
 use super::super::finding::Finding;
-use super::super::judge::Judge;
+use super::super::judge::{ERROR, Judge};
 use super::super::pictures::Row;
 use super::super::place::Place;
 use crate::error::HarnessError;
@@ -50,8 +50,8 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
                     ],
                 )?;
                 let shot = desk.shot(&room, backend, &*map, quantity, &points)?;
-                let at = (fidelity, format!("relMSE, {caption}"));
-                finding.measure(at, backend, judge.relmse(&shot.estimate), "");
+                let at = (fidelity, format!("{ERROR}, {caption}"));
+                finding.measure(at, backend, judge.error(&shot.estimate), "");
                 if backend == desk.backends()[0] {
                     row.add(format!("{fidelity}, {caption}"), view.image(&shot.estimate));
                 }

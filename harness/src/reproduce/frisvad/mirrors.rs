@@ -54,8 +54,8 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
         let mut pictures = Vec::new();
         for (name, view) in &views {
             let image = shoot(desk, &room, (view, backend), &mut finding)?;
-            let relmse = judge.relmse(&image.to_estimate());
-            finding.measure((*name, "relMSE in mirrors"), backend, relmse, "");
+            let error = judge.error(&image.to_estimate());
+            finding.measure((*name, "MSE / mean² in mirrors"), backend, error, "");
             let shaded = Amount::exact(view.points(PointLayout::Surface).len() as f64);
             finding.measure((*name, "points"), backend, shaded, "");
             pictures.push(image.to_estimate());

@@ -12,12 +12,12 @@ mod rates;
 use super::{Experiment, Paper};
 
 const RULE_OF_COLOUR: &str = "A trial is one of these with an area or a spot light on a backend: irradiance by 3×3 samples is nearer to \
-    path-traced truth, in relMSE and beyond its noise, than the best uniform ambient light, which has the \
+    path-traced truth, in mean squared error and beyond its noise, than the best uniform ambient light, which has the \
     truth's mean colour; more than half of the truth's light arrives; and the colours (red less green over \
     their sum, weighted by the truth's brightness) correlate with the truth's by more than a half.";
 
 const RULE_OF_LIGHT: &str = "A trial is one of these on a backend: irradiance by 3×3 samples is nearer to \
-    path-traced truth, in relMSE and beyond its noise, than the best uniform ambient light, which has the \
+    path-traced truth, in mean squared error and beyond its noise, than the best uniform ambient light, which has the \
     truth's mean colour; and more than half of the truth's light arrives.";
 
 pub(super) const EXPERIMENTS: &[Experiment] = &[
@@ -48,7 +48,7 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         title: "light over a mirror",
         claim: "What the light shines at over mirrors becomes a light as well. Taken as: the lantern of \
             the cave turned to its mirror.",
-        rule: "A trial is a backend: with the mirror, irradiance is nearer, in relMSE, to the own model with \
+        rule: "A trial is a backend: with the mirror, irradiance is nearer, in mean squared error, to the own model with \
             the mirror than the same map is with a black mirror in its place; and of the light that the \
             mirror brings to all points between half and twice as much arrives. Path tracing finds no \
             mirrored light of a point, so that the method's own model, an integral, is the reference.",
@@ -86,7 +86,7 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         claim: "In a mirror, (a) missing indirect light is seen, (b) the visual trick of taking the mirror \
             for diffuse hides it, (c) light estimated at what it shows is right.",
         rule: "A trial is a pair on a backend: at the pixels of mirrors, (b) is nearer to the picture with \
-            path-traced light than (a), and (c) is nearer than (b), in relMSE beyond the reference's noise.",
+            path-traced light than (a), and (c) is nearer than (b), in mean squared error beyond the reference's noise.",
         run: mirrors::run,
     },
     Experiment {
@@ -96,7 +96,7 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         title: "surfaces that are not Lambertian",
         claim: "With normals and true colours in the map, lit surfaces may reflect by any law. Taken as: a \
             Cornell box of glossy walls.",
-        rule: "A trial is a fidelity and a backend: irradiance is nearer to path-traced truth, in relMSE \
+        rule: "A trial is a fidelity and a backend: irradiance is nearer to path-traced truth, in mean squared error \
             beyond its noise, where lit surfaces reflect by their whole material than by Lambert's law.",
         run: materials::run,
     },

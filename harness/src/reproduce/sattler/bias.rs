@@ -2,7 +2,7 @@
 
 use super::super::desk::Desk;
 use super::super::finding::Finding;
-use super::super::judge::Judge;
+use super::super::judge::{ERROR, Judge};
 use super::super::pictures::Row;
 use super::super::place::Place;
 use super::super::verdict::{Amount, Trial};
@@ -32,7 +32,7 @@ fn biases(desk: &Desk<'_>, finding: &mut Finding) -> Result<(), HarnessError> {
     let points = view.points(quantity.layout());
     let mut references = desk.references(&room, quantity, &points);
     let truth = references.truth();
-    let judge = Judge::new(truth, &points).by_mean();
+    let judge = Judge::new(truth, &points);
     let mut row = Row::against(
         "openness",
         "traced rays",
@@ -52,9 +52,9 @@ fn biases(desk: &Desk<'_>, finding: &mut Finding) -> Result<(), HarnessError> {
             )?;
             let shot = desk.shot(&room, backend, &*method, quantity, &points)?;
             finding.measure(
-                (format!("bias {label}"), "MSE / mean²"),
+                (format!("bias {label}"), ERROR),
                 backend,
-                judge.relmse(&shot.estimate),
+                judge.error(&shot.estimate),
                 "",
             );
             if backend == desk.backends()[0] {

@@ -2,7 +2,7 @@
 
 use super::super::desk::Desk;
 use super::super::finding::Finding;
-use super::super::judge::Judge;
+use super::super::judge::{ERROR, Judge};
 use super::super::pictures::Row;
 use super::super::place::Place;
 use super::sequence::{DEFORMING, Moment};
@@ -37,7 +37,7 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
         let mut references =
             desk.references(&moment.room, Quantity::AmbientOcclusion, &moment.points);
         let truth = references.truth();
-        let judge = Judge::at(&truth.values, Some(&truth.error), moment.seen()).by_mean();
+        let judge = Judge::at(&truth.values, Some(&truth.error), moment.seen());
         let (view, title) = (&moment.view, format!("at {time_s} s"));
         let mut row = Row::against(
             &*title,
@@ -49,15 +49,15 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
             let shaded = moment.shade(desk, (running, *backend), &*method, DEFORMING)?;
             let fixed = at_rest.get_or_insert_with(|| shaded.estimate.clone());
             finding.measure(
-                (&*title, "MSE / mean²"),
+                (&*title, ERROR),
                 *backend,
-                judge.relmse(&shaded.estimate),
+                judge.error(&shaded.estimate),
                 "",
             );
             finding.measure(
                 (&*title, "MSE / mean² of the shape at rest"),
                 *backend,
-                judge.relmse(fixed),
+                judge.error(fixed),
                 "",
             );
             if index > 0 {

@@ -2,7 +2,7 @@
 
 use super::super::desk::Desk;
 use super::super::finding::Finding;
-use super::super::judge::Judge;
+use super::super::judge::{ERROR, Judge};
 use super::super::pictures::Row;
 use super::super::place::Place;
 use super::super::verdict::{Amount, Trial};
@@ -27,7 +27,7 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
     let points = view.points(quantity.layout());
     let mut references = desk.precise(&room, quantity, &points);
     let truth = references.truth();
-    let judge = Judge::new(truth, &points).by_mean();
+    let judge = Judge::new(truth, &points);
     let mut row = Row::against(
         "openness",
         "traced rays",
@@ -45,12 +45,7 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
             let shot = desk.shot(&room, backend, &*method, quantity, &points)?;
             let rms = judge.relative_rms(&shot.estimate);
             let case = format!("k = {k}");
-            finding.measure(
-                (&*case, "MSE / mean²"),
-                backend,
-                judge.relmse(&shot.estimate),
-                "",
-            );
+            finding.measure((&*case, ERROR), backend, judge.error(&shot.estimate), "");
             finding.measure((&*case, "rms difference / mean"), backend, rms, "");
             if level == ENOUGH {
                 let what = format!("{case}: rms difference over mean");

@@ -2,7 +2,7 @@
 
 use super::super::desk::Desk;
 use super::super::finding::Finding;
-use super::super::judge::{Judge, scaled};
+use super::super::judge::{ERROR, Judge, scaled};
 use super::super::pictures::Row;
 use super::super::place::Place;
 use super::super::verdict::Amount;
@@ -62,9 +62,9 @@ fn compare(
     let black = references.model(OwnModel::OccludedEnvironment);
     let (black, black_error) = (black.values.clone(), black.error.clone());
     let surfaces = (0..points.len()).filter(|&i| points.get(i).is_some());
-    let own = Judge::at(&black, Some(&black_error), surfaces.collect()).by_mean();
+    let own = Judge::at(&black, Some(&black_error), surfaces.collect());
     let truth = references.truth();
-    let judge = Judge::new(truth, &points).by_mean();
+    let judge = Judge::new(truth, &points);
     let mut row = Row::against(
         case,
         "path tracing",
@@ -76,7 +76,7 @@ fn compare(
             "directional_ao",
             &[
                 ("level", &desk.pick(3, 4)),
-                ("map_resolution", &desk.pick(96, 512)),
+                ("map_resolution", &desk.pick(192, 512)),
             ],
         )?;
         let open = desk.method("sh_mip_envmap", &[])?;
@@ -86,11 +86,11 @@ fn compare(
             // The paper's sum has no weight: its pictures are as bright as they are made.
             let [to_all, to_own] = [&judge, &own].map(|judge| {
                 let estimate = scaled(&shot.estimate, judge.factor(&shot.estimate));
-                (judge.relmse(&estimate), estimate)
+                (judge.error(&estimate), estimate)
             });
             let at = |name: &str| (case.to_owned(), format!("{name}, {label}"));
             let factor = Amount::exact(judge.factor(&shot.estimate));
-            finding.measure(at("MSE / mean²"), backend, to_all.0, "");
+            finding.measure(at(ERROR), backend, to_all.0, "");
             finding.measure(at("to occluded environment light"), backend, to_own.0, "");
             finding.measure(at("factor on brightness"), backend, factor, "");
             if backend == desk.backends()[0] {

@@ -2,7 +2,7 @@
 
 use super::super::desk::{Desk, Room};
 use super::super::finding::Finding;
-use super::super::judge::Judge;
+use super::super::judge::{ERROR, Judge};
 use super::super::pictures::Row;
 use super::super::place::Place;
 use super::super::verdict::{Amount, Trial};
@@ -72,7 +72,7 @@ fn moved_by(desk: &Desk<'_>, moved: f32, finding: &mut Finding) -> Result<(), Ha
             if backend == desk.backends()[0] {
                 row.add(label, view.image(&shot.estimate));
             }
-            shots.push((shot.frame_ms(), judge.relmse(&shot.estimate)));
+            shots.push((shot.frame_ms(), judge.error(&shot.estimate)));
             finding.runs.push(shot.run);
         }
         if let [fresh, kept] = shots[..] {
@@ -129,9 +129,9 @@ fn shared(desk: &Desk<'_>, backend: Backend, finding: &mut Finding) -> Result<()
     });
     let each_cost = (
         both_ms.unwrap_or(Amount::exact(f64::NAN)),
-        judge.relmse(&each),
+        judge.error(&each),
     );
-    let one_cost = (one.frame_ms(), judge.relmse(&one.estimate));
+    let one_cost = (one.frame_ms(), judge.error(&one.estimate));
     let at = ("2 objects", backend, desk.software(backend));
     weigh(
         at,
@@ -185,14 +185,14 @@ fn weigh(
             ms,
             ("ms", software),
         );
-        finding.measure((case, format!("relMSE, {label}")), backend, error, "");
+        finding.measure((case, format!("{ERROR}, {label}")), backend, error, "");
     }
     let time = format!("{case}: frame of {cheap} below that of {dear}, ms");
     finding
         .trials
         .push(Trial::less(time, backend, cheap_ms, dear_ms));
     if near {
-        let error = format!("{case}: relMSE of {cheap} below {WORSE} times that of {dear}");
+        let error = format!("{case}: error of {cheap} below {WORSE} times that of {dear}");
         finding.trials.push(Trial::less(
             error,
             backend,

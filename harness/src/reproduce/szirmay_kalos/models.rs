@@ -2,7 +2,7 @@
 
 use super::super::desk::{Desk, Room};
 use super::super::finding::Finding;
-use super::super::judge::{Judge, scaled};
+use super::super::judge::{ERROR, Judge, scaled};
 use super::super::pictures::Row;
 use super::super::place::Place;
 use crate::error::HarnessError;
@@ -96,13 +96,13 @@ fn compare(
             let shot = desk.shot(room, backend, method, quantity, &points)?;
             let estimate = brought(&shot.estimate);
             finding.measure(
-                (case, format!("relMSE {label}")),
+                (case, format!("{ERROR}, {label}")),
                 backend,
-                judge.relmse(&estimate),
+                judge.error(&estimate),
                 "",
             );
             if let Some(all) = &all {
-                let full = Judge::new(all, &points).relmse(&estimate);
+                let full = Judge::new(all, &points).error(&estimate);
                 finding.measure(
                     (case, format!("with shadows of itself {label}")),
                     backend,

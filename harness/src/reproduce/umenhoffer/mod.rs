@@ -26,7 +26,7 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         title: "an object on the floor, beside the reference",
         claim: "Of classic mapping, point-to-point and point-to-polygon form factors, polygons look most \
             like the reference. Taken as: a model a centimetre above the floor, M = 4 and 8.",
-        rule: "A trial is an M, a fidelity, a rival and a backend: polygons' relMSE against path-traced truth is below \
+        rule: "A trial is an M, a fidelity, a rival and a backend: polygons' mean squared error against path-traced truth is below \
             that of points and of classic mapping, beyond the reference's noise. Captures hold four \
             reflections; the reference leaves out the model's shadows on itself, which no map has.",
         run: object::run,

@@ -2,7 +2,7 @@
 
 use super::super::desk::Desk;
 use super::super::finding::Finding;
-use super::super::judge::Judge;
+use super::super::judge::{ERROR, Judge};
 use super::super::pictures::Row;
 use super::super::place::Place;
 use super::super::verdict::Amount;
@@ -43,7 +43,7 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
                 let method = desk.method(id, parameters)?;
                 let shot = desk.shot(&room, backend, &*method, quantity, &points)?;
                 let at = |name: &str| (format!("M = {m}, {label}"), name.to_owned());
-                finding.measure(at("relMSE"), backend, judge.relmse(&shot.estimate), "");
+                finding.measure(at(ERROR), backend, judge.error(&shot.estimate), "");
                 let spike = Amount::exact(judge.spike(&shot.estimate));
                 finding.measure(at("spike / mean"), backend, spike, "");
                 if backend == desk.backends()[0] {

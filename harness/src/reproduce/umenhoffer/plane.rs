@@ -2,7 +2,7 @@
 
 use super::super::desk::{Desk, Room};
 use super::super::finding::Finding;
-use super::super::judge::Judge;
+use super::super::judge::{ERROR, Judge};
 use super::super::pictures::Row;
 use super::super::place::Place;
 use super::super::verdict::{Amount, Trial};
@@ -67,8 +67,8 @@ fn at(
                 Amount::exact(spike),
                 "",
             );
-            let relmse = judge.relmse(&shot.estimate);
-            finding.measure((&*case, format!("relMSE of {label}")), backend, relmse, "");
+            let error = judge.error(&shot.estimate);
+            finding.measure((&*case, format!("{ERROR}, {label}")), backend, error, "");
             if backend == desk.backends()[0] {
                 row.add(label, image(&shot.estimate));
             }
