@@ -4,8 +4,8 @@
 //! [`crate::metrics`] that lets what is nearly black count no more than the rest: folds and back faces
 //! are as good as black in many of these scenes, and pictures are judged by what is bright.
 //!
-//! Both estimates are compared with the same reference, so most of its noise cancels: the difference of
-//! their errors is Σ(a−b)(a+b−2r)/n, whose standard error from that of r, s, is 2·√(Σ((a−b)s)²)/n. The
+//! Both estimates are compared with the same reference, so most of its noise cancels: the difference
+//! of their errors is Σ(a−b)(a+b−2r)/n, whose standard error from that of r, s, is 2·√(Σ((a−b)s)²)/n. The
 //! channels of a point share their light paths and add up; points are independent. Three standard
 //! errors count as noise.
 

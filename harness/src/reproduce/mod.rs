@@ -15,6 +15,7 @@ mod pictures;
 mod place;
 mod record;
 mod sattler;
+mod shot;
 mod szirmay_kalos;
 mod umenhoffer;
 mod verdict;

@@ -2,7 +2,7 @@
 
 use super::super::desk::{Desk, Room};
 use super::super::finding::Finding;
-use super::super::judge::{ERROR, Judge};
+use super::super::judge::{ERROR, Judge, scaled};
 use super::super::pictures::Row;
 use super::super::place::Place;
 use super::super::verdict::{Amount, Trial};
@@ -117,9 +117,9 @@ pub(super) fn compare(
             }
             if fidelity == "published" {
                 let what = format!("{case}: nearer than uniform ambient light");
-                finding
-                    .trials
-                    .push(judge.nearer(what, backend, estimate, &ambient));
+                let bright = scaled(estimate, judge.factor(estimate));
+                let trial = judge.nearer(what, backend, &bright, &ambient);
+                finding.trials.push(trial);
                 published.push(Published {
                     backend,
                     energy,

@@ -4,7 +4,7 @@ use super::super::desk::Desk;
 use super::super::finding::Finding;
 use super::super::place::Place;
 use super::super::verdict::{Amount, Trial};
-use super::super::{desk::amount_of, pictures::Row};
+use super::super::{pictures::Row, shot::amount_of};
 use super::bleeding;
 use crate::error::HarnessError;
 use crate::record::Backend;

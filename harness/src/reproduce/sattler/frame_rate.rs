@@ -1,9 +1,10 @@
 //! A level that is lowered so that a frame rate is held, and refined at rest.
 
-use super::super::desk::{Desk, amount_of};
+use super::super::desk::Desk;
 use super::super::finding::Finding;
 use super::super::pictures::Row;
 use super::super::place::Place;
+use super::super::shot::amount_of;
 use super::super::verdict::{Amount, Trial};
 use super::directions;
 use super::sequence::{DEFORMING, Moment, RESTING};

@@ -1,8 +1,9 @@
 //! Time of a frame over directions and vertices: with and without filtering, at rest and deforming.
 
-use super::super::desk::{Desk, amount_of};
+use super::super::desk::Desk;
 use super::super::finding::Finding;
 use super::super::place::Place;
+use super::super::shot::amount_of;
 use super::super::verdict::{Amount, Trial};
 use super::directions;
 use super::sequence::{DEFORMING, Moment, RESTING};

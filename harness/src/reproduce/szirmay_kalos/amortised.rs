@@ -122,7 +122,7 @@ fn shared(desk: &Desk<'_>, backend: Backend, finding: &mut Finding) -> Result<()
     }
     let estimates: Vec<&Estimate> = own.iter().map(|shot| &shot.estimate).collect();
     let each = of_the_nearest(&points, &middles, &estimates);
-    let capture = |shot: &super::super::desk::Shot| shot.frame_ms();
+    let capture = |shot: &super::super::shot::Shot| shot.frame_ms();
     let both_ms = own.iter().map(capture).reduce(|a, b| Amount {
         value: a.value + b.value,
         spread: a.spread.hypot(b.spread),
