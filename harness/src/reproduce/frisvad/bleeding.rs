@@ -116,6 +116,10 @@ pub(super) fn compare(
                 alone.add(fidelity, view.image(&reflected(&materials, estimate)));
             }
             if fidelity == "published" {
+                let what = format!("{case}: nearer than direct light alone");
+                let none = Estimate::new(points.len());
+                let trial = judge.nearer(what, backend, estimate, &none);
+                finding.trials.push(trial);
                 let what = format!("{case}: nearer than uniform ambient light");
                 let bright = scaled(estimate, judge.factor(estimate));
                 let trial = judge.nearer(what, backend, &bright, &ambient);

@@ -12,15 +12,17 @@ mod rates;
 use super::{Experiment, Paper};
 
 const RULE_OF_COLOUR: &str = "A trial is one of these with an area or a spot light on a backend: \
-    irradiance by 3×3 samples, up to one factor on its brightness, is nearer to path-traced truth, \
-    in mean squared error and beyond its noise, than the best uniform ambient light, which has the \
-    truth's mean colour; more than half of the truth's light arrives without that factor; and the colours (red less green over their sum, weighted by the \
+    irradiance by 3×3 samples is nearer to path-traced truth, in mean squared error and beyond its \
+    noise, than no indirect light at all; and, up to one factor on its brightness, than the best \
+    uniform ambient light, which has the truth's mean colour; without that factor more than half \
+    of the truth's light arrives; and the colours (red less green over their sum, weighted by the \
     truth's brightness) correlate with the truth's by more than a half.";
 
-const RULE_OF_LIGHT: &str = "A trial is one of these on a backend: irradiance by 3×3 samples, up to \
-    one factor on its brightness, is nearer to path-traced truth, in mean squared error and beyond \
-    its noise, than the best uniform ambient light, which has the truth's mean colour; and more \
-    than half of the truth's light arrives without that factor.";
+const RULE_OF_LIGHT: &str = "A trial is one of these on a backend: irradiance by 3×3 samples is \
+    nearer to path-traced truth, in mean squared error and beyond its noise, than no indirect \
+    light at all; and, up to one factor on its brightness, than the best uniform ambient light, \
+    which has the truth's mean colour; without that factor more than half of the truth's light \
+    arrives.";
 
 pub(super) const EXPERIMENTS: &[Experiment] = &[
     Experiment {
@@ -78,9 +80,8 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
             as: a light that moves through a large scene.",
         rule: "A trial is a backend: over all frames a session that goes on from frame to frame \
             estimates what a new one does, within a thousandth of the mean; and in the middle of \
-            the sequence it is, up to one factor on \
-            its brightness, nearer to the truth than the best uniform ambient light, beyond the \
-            truth's noise.",
+            the sequence it is nearer to the truth, beyond its noise, than no indirect light at \
+            all, and, up to one factor on its brightness, than the best uniform ambient light.",
         run: dynamic::run,
     },
     Experiment {
