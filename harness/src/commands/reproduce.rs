@@ -76,7 +76,7 @@ fn list(json: bool) -> Result<(), HarnessError> {
             paper = e.paper;
             print_line(paper)?;
         }
-        print_line(&format!("  {:<22} {:<9} {}", e.id, e.item, e.title))?;
+        print_line(&format!("  {:<24} {:<9} {}", e.id, e.item, e.title))?;
     }
     Ok(())
 }

@@ -85,8 +85,11 @@ impl Entry {
         let failed = result.is_err();
         let (finding, (verdict, why)) = match result {
             Ok(finding) => {
-                let verdict = conclude(&finding.trials);
-                (finding, verdict)
+                let (verdict, mut why) = conclude(&finding.trials);
+                if finding.measured.iter().any(|m| m.software) {
+                    why += "; times on gpu are a software adapter's";
+                }
+                (finding, (verdict, why))
             }
             Err(error) => {
                 let why = error.to_string();
@@ -140,6 +143,6 @@ impl Entry {
             why,
             ..
         } = &self.record;
-        format!("{id:<22} {item:<9} {verdict:<14} {why}")
+        format!("{id:<24} {item:<9} {verdict:<14} {why}")
     }
 }
