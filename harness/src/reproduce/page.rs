@@ -4,6 +4,7 @@ use super::Paper;
 use super::finding::Measure;
 use super::pictures::Shown;
 use super::record::{Entry, Record, Reproduced};
+use super::verdict::Verdict;
 use crate::error::HarnessError;
 use crate::output::{colour_stops, write_atomically};
 use crate::report::ReportError;
@@ -107,11 +108,11 @@ fn shape(entry: &Entry) -> Shape<'_> {
     let record = &entry.record;
     Shape {
         record,
-        badge: match record.verdict {
-            "holds" => "good",
-            "holds in part" => "part",
-            "does not hold" => "bad",
-            _ => "none",
+        badge: match entry.verdict {
+            Verdict::Holds => "good",
+            Verdict::HoldsInPart => "part",
+            Verdict::DoesNotHold => "bad",
+            Verdict::NotRun(_) => "none",
         },
         table: table(&record.measured),
         pictures: &entry.pictures,

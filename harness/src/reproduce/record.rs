@@ -68,6 +68,7 @@ pub struct Entry {
     pub record: Record,
     pub(super) pictures: Vec<Shown>,
     pub(super) paper: Paper,
+    pub(super) verdict: Verdict,
     failed: bool,
 }
 
@@ -125,6 +126,7 @@ impl Entry {
             record,
             pictures,
             paper: experiment.paper,
+            verdict,
             failed,
         })
     }

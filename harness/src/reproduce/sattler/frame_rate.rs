@@ -38,100 +38,116 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
     Ok(finding)
 }
 
+/// What came of a frame rate on a backend.
+struct Held {
+    full_ms: Amount,
+    low_ms: Amount,
+    /// The frame rate's time for a frame.
+    budget_ms: f64,
+    held_ms: Amount,
+    /// Captions and estimates: the first frame at rest, the last one, and the full level's.
+    shown: [(&'static str, Estimate); 3],
+}
+
 fn held(
     desk: &Desk<'_>,
     rest: &Scene,
     backend: Backend,
     finding: &mut Finding,
 ) -> Result<(), HarnessError> {
+    let (highest, frames) = desk.pick((2, 10), (3, 24));
+    let last = Moment::of(desk, rest, time_of(frames - 1))?;
+    let held = measure(desk, (rest, &last), (backend, frames), highest)?;
+    let unit = ("ms", desk.software(backend));
+    let at_level = |level| format!("frame at {} directions", directions(level));
+    for (name, ms) in [
+        (at_level(highest), held.full_ms),
+        (at_level(highest - BELOW), held.low_ms),
+        ("time for a frame".into(), Amount::exact(held.budget_ms)),
+        ("controlled frame".into(), held.held_ms),
+    ] {
+        finding.time(("moving", name), backend, ms, unit);
+    }
+    let allowed = Amount::exact(SLACK * held.budget_ms);
+    for (what, a, b) in [
+        (
+            "controlled frame below 120 % of its time, ms",
+            held.held_ms,
+            allowed,
+        ),
+        (
+            "120 % of its time below an uncontrolled frame, ms",
+            allowed,
+            held.full_ms,
+        ),
+    ] {
+        finding.trials.push(Trial::less(what, backend, a, b));
+    }
+    let [first, settled, (_, best)] = &held.shown;
+    for (caption, estimate) in [first, settled] {
+        let name = format!("largest difference, {caption} / mean");
+        let left = Amount::exact(difference(estimate, best));
+        finding.measure(("at rest", name), backend, left, "");
+    }
+    let what = "at rest: largest difference from the full level, over the mean";
+    let left = difference(&settled.1, best);
+    finding
+        .trials
+        .push(Trial::less_by(what, backend, (left, SAME), 0.0));
+    let mut row = Row::plain(format!("openness, {backend}"));
+    for (caption, estimate) in &held.shown {
+        row.add(*caption, last.view.image(estimate));
+    }
+    finding.pictures.push(row);
+    Ok(())
+}
+
+fn measure(
+    desk: &Desk<'_>,
+    (rest, last): (&Scene, &Moment<'_>),
+    (backend, frames): (Backend, usize),
+    highest: u32,
+) -> Result<Held, HarnessError> {
     let method = |level: u32, fps: f64| {
+        let texels = desk.pick(64, 256);
         desk.method(
             "directional_ao",
             &[
                 ("level", &level),
                 ("target_fps", &fps),
-                ("map_resolution", &desk.pick(64, 256)),
+                ("map_resolution", &texels),
             ],
         )
     };
-    let (highest, frames) = desk.pick((2, 10), (3, 24));
-    let full = method(highest, 0.0)?;
+    let (full, low) = (method(highest, 0.0)?, method(highest - BELOW, 0.0)?);
     let (full_ms, _) = moving(desk, rest, (backend, SETTLED + 3), &*full)?;
-    let (low_ms, _) = moving(
-        desk,
-        rest,
-        (backend, SETTLED + 3),
-        &*method(highest - BELOW, 0.0)?,
-    )?;
-    // Between both on a logarithmic scale: the control needs room for a level and its costlier neighbour.
+    let (low_ms, _) = moving(desk, rest, (backend, SETTLED + 3), &*low)?;
+    // Between both on a logarithmic scale: there is room for a level, and none for the one above it.
     let budget_ms = (full_ms.value * low_ms.value).sqrt();
     let controlled = method(highest, 1e3 / budget_ms)?;
     let (held_ms, mut running) = moving(desk, rest, (backend, frames), &*controlled)?;
-    let last = Moment::of(desk, rest, time_of(frames - 1))?;
-    let in_motion = last
-        .shade(desk, (&mut running, backend), &*controlled, RESTING)?
-        .estimate;
-    let mut at_rest = in_motion.clone();
-    // At rest a kept visibility costs next to nothing, so that each frame has room for the next level.
+    let mut at_rest = |running: &mut Running, method: &dyn Configured| {
+        let shaded = last.shade(desk, (running, backend), method, RESTING)?;
+        Ok::<_, HarnessError>(shaded.estimate)
+    };
+    let first = at_rest(&mut running, &*controlled)?;
+    // Each frame at rest takes the next level's own directions only, or none at all.
+    let mut settled = first.clone();
     for _ in 0..2 * SETTLED {
-        at_rest = last
-            .shade(desk, (&mut running, backend), &*controlled, RESTING)?
-            .estimate;
+        settled = at_rest(&mut running, &*controlled)?;
     }
-    let best = last
-        .shade(desk, (&mut Running::default(), backend), &*full, RESTING)?
-        .estimate;
-    let left = difference(&at_rest, &best);
-    let unit = ("ms", desk.software(backend));
-    let at_level = |level| format!("frame at {} directions", directions(level));
-    for (name, ms) in [
-        (at_level(highest), full_ms),
-        (at_level(highest - BELOW), low_ms),
-        ("time for a frame".into(), Amount::exact(budget_ms)),
-        ("controlled frame".into(), held_ms),
-    ] {
-        finding.time(("moving", name), backend, ms, unit);
-    }
-    let at = |name: &'static str| ("at rest", name);
-    finding.measure(
-        at("largest difference, first frame / mean"),
-        backend,
-        Amount::exact(difference(&in_motion, &best)),
-        "",
-    );
-    finding.measure(
-        at("largest difference, last frame / mean"),
-        backend,
-        Amount::exact(left),
-        "",
-    );
-    let allowed = Amount::exact(SLACK * budget_ms);
-    finding.trials.push(Trial::less(
-        "controlled frame below 120 % of its time, ms",
-        backend,
-        held_ms,
-        allowed,
-    ));
-    finding.trials.push(Trial::less(
-        "120 % of its time below an uncontrolled frame, ms",
-        backend,
-        allowed,
+    let best = at_rest(&mut Running::default(), &*full)?;
+    Ok(Held {
         full_ms,
-    ));
-    let what = "at rest: largest difference from the full level, over the mean";
-    finding
-        .trials
-        .push(Trial::less_by(what, backend, (left, SAME), 0.0));
-    let mut row = Row::plain(format!("openness, {backend}"));
-    for (caption, estimate) in [
-        ("in motion", &in_motion),
-        ("at rest", &at_rest),
-        ("full level", &best),
-    ] {
-        row.add(caption, last.view.image(estimate));
-    }
-    finding.pictures.push(row);
-    Ok(())
+        low_ms,
+        budget_ms,
+        held_ms,
+        shown: [
+            ("first frame", first),
+            ("last frame", settled),
+            ("full level", best),
+        ],
+    })
 }
 
 fn time_of(frame: usize) -> f32 {
