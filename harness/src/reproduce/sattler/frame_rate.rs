@@ -126,7 +126,7 @@ fn measure(
     let budget_ms = (full_ms.value * low_ms.value).sqrt();
     let controlled = method(highest, 1e3 / budget_ms)?;
     let (held_ms, mut running) = moving(desk, rest, (backend, frames), &*controlled)?;
-    let mut at_rest = |running: &mut Running, method: &dyn Configured| {
+    let at_rest = |running: &mut Running, method: &dyn Configured| {
         let shaded = last.shade(desk, (running, backend), method, RESTING)?;
         Ok::<_, HarnessError>(shaded.estimate)
     };
