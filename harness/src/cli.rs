@@ -4,6 +4,7 @@ mod bench;
 mod options;
 mod render;
 mod report;
+mod reproduce;
 mod sweep;
 mod sweep_file;
 mod values;
@@ -13,6 +14,7 @@ pub use bench::{Bench, What};
 pub use options::{Backends, ReferenceBudget, RunOptions, SceneOptions, TimingOptions};
 pub use render::{Render, Show};
 pub use report::{ReportCommand, TevOption};
+pub use reproduce::Reproduce;
 pub use sweep::{Asked, Merge, Sweep};
 pub use sweep_file::expand;
 pub use values::{MaterialArg, Setting};
@@ -70,6 +72,8 @@ pub enum Command {
     Report(ReportCommand),
     /// Check what estimators must keep to, exact answers, and what they claim
     Verify(Verify),
+    /// Run the papers' own experiments and judge what they claim
+    Reproduce(Reproduce),
 }
 
 /// `interreflect list`.

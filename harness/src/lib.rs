@@ -23,6 +23,7 @@ mod progress;
 mod quiet;
 pub mod record;
 pub mod report;
+pub mod reproduce;
 pub mod stages;
 pub mod table;
 pub mod truth;

@@ -10,6 +10,7 @@ mod probe;
 mod reference;
 mod render;
 mod report;
+mod reproduce;
 mod sequence;
 mod sweep;
 mod verify;
@@ -40,6 +41,7 @@ pub(crate) fn run(cli: Cli, registry: Registry, command_line: &str) -> Result<()
         Command::Compare(command) => compare::run(&command),
         Command::Report(command) => report::run(&command),
         Command::Verify(command) => verify::run(&command, registry),
+        Command::Reproduce(command) => reproduce::run(&command, registry, command_line),
     }
 }
 

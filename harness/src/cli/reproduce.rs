@@ -1,0 +1,44 @@
+//! The words of `reproduce`.
+
+use super::{Backends, RunOptions};
+use clap::Args;
+use std::path::PathBuf;
+
+/// `interreflect reproduce`.
+#[derive(Clone, Debug, PartialEq, Args)]
+#[command(
+    after_help = "Every experiment states the paper's claim and the rule by which it holds, holds \
+in part or does not hold. Models are looked for in assets/, or in the folder that INTERREFLECT_ASSETS \
+names; `make assets` brings them.\n\nExamples:\n  interreflect reproduce --list\n  interreflect \
+reproduce all --quick --out results\n  interreflect reproduce szirmay-kalos.3 frisvad.table1\n  \
+interreflect reproduce sattler --backend cpu --json"
+)]
+pub struct Reproduce {
+    /// Experiments, papers, or `all`
+    #[arg(value_name = "ID", required_unless_present = "list")]
+    pub experiments: Vec<String>,
+
+    /// Print the experiments instead of running any
+    #[arg(long)]
+    pub list: bool,
+
+    /// Fewer points, samples and cases: all of them in some minutes
+    #[arg(long)]
+    pub quick: bool,
+
+    /// Which backends to run on
+    #[arg(long, value_enum, default_value = "both")]
+    pub backend: Backends,
+
+    /// How to run.
+    #[command(flatten)]
+    pub run: RunOptions,
+
+    /// Print the results as JSON instead of a table
+    #[arg(long)]
+    pub json: bool,
+
+    /// Folder for reproduce.json, reproduce.html and pictures
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}

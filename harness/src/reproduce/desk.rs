@@ -1,0 +1,273 @@
+//! What experiments work with: scenes on the backends, methods, and measurements.
+
+use super::assets::{Assets, Model};
+use super::finding::Finding;
+use super::place::{Place, setting};
+use super::shot::Shot;
+use crate::clock::Sampling;
+use crate::error::HarnessError;
+use crate::frames::{Frame, Shaded};
+use crate::lab::Lab;
+use crate::record::{Backend, Phases, Run, TimeSource};
+use crate::stages::{Running, Stages};
+use crate::truth::References;
+use crate::view::{Look, View};
+use interreflect_cpu::path_tracer::Stop;
+use interreflect_cpu::scene::CpuScene;
+use interreflect_estimators::{Configured, Quantity, Seen};
+use interreflect_scene::motion::Moves;
+use interreflect_scene::{Camera, Points, Scene};
+use std::sync::Arc;
+
+/// Methods, backends and models, and how much effort is made.
+pub struct Desk<'a> {
+    lab: &'a Lab,
+    backends: Vec<Backend>,
+    assets: Assets,
+    quick: bool,
+}
+
+/// A scene on the backends.
+pub(super) struct Room<'a> {
+    pub(super) cpu: Arc<CpuScene>,
+    pub(super) stages: Stages<'a>,
+}
+
+impl<'a> Desk<'a> {
+    /// A desk for those of the backends that there are; `quick` takes fewer points, samples and cases.
+    pub fn new(lab: &'a Lab, backends: Vec<Backend>, assets: Assets, quick: bool) -> Self {
+        Self {
+            lab,
+            backends,
+            assets,
+            quick,
+        }
+    }
+
+    /// The backends that there are.
+    pub(super) fn backends(&self) -> Vec<Backend> {
+        self.backends.clone()
+    }
+
+    /// The one of two that the effort calls for.
+    pub(super) fn pick<T>(&self, quick: T, full: T) -> T {
+        if self.quick { quick } else { full }
+    }
+
+    /// Points of a picture.
+    pub(super) fn points(&self) -> usize {
+        self.pick(8_000, 30_000)
+    }
+
+    /// When references are good enough.
+    pub(super) fn stop(&self) -> Stop {
+        Stop {
+            samples: Some(self.pick(64, 2048)),
+            ..Stop::default()
+        }
+    }
+
+    /// A model, or what takes its place.
+    pub(super) fn mesh(&self, name: &str) -> Model {
+        self.assets.mesh(name)
+    }
+
+    /// The models and maps.
+    pub(super) fn assets(&self) -> &Assets {
+        &self.assets
+    }
+
+    /// Opens a scene; what takes something's place in it is noted.
+    pub(super) fn scene(
+        &self,
+        place: &Place,
+        finding: &mut Finding,
+    ) -> Result<Scene, HarnessError> {
+        for note in &place.notes {
+            finding.note(note.as_str());
+        }
+        self.lab
+            .scene(&place.source, &place.options, &place.settings)
+    }
+
+    /// Sets a scene up on the backends.
+    pub(super) fn set_up(&self, scene: &Scene) -> Result<Room<'a>, HarnessError> {
+        let on_gpu = self.backends.contains(&Backend::Gpu);
+        let loaded = self.lab.set_up(scene, on_gpu)?;
+        let cpu = loaded.cpu.clone();
+        let stages = Stages::new(&self.lab.cpu, loaded);
+        Ok(Room { cpu, stages })
+    }
+
+    /// Opens a scene and sets it up.
+    pub(super) fn room(
+        &self,
+        place: &Place,
+        finding: &mut Finding,
+    ) -> Result<Room<'a>, HarnessError> {
+        self.set_up(&self.scene(place, finding)?)
+    }
+
+    /// What a room's camera sees, cropped to about as many shaded points as a picture has.
+    pub(super) fn view(&self, room: &Room<'_>) -> Result<View, HarnessError> {
+        self.view_of(room, self.points())
+    }
+
+    /// As [`Self::view`], of about as many points as said.
+    pub(super) fn view_of(&self, room: &Room<'_>, count: usize) -> Result<View, HarnessError> {
+        let scene = &*room.cpu;
+        let camera = scene.scene().camera;
+        self.lab
+            .cpu
+            .install(|| View::of_about(scene, &camera, count))
+    }
+
+    /// What a room's camera sees, `width` pixels wide.
+    pub(super) fn whole_view(
+        &self,
+        room: &Room<'_>,
+        width: u32,
+        look: Look,
+    ) -> Result<View, HarnessError> {
+        let scene = &*room.cpu;
+        let camera = scene.scene().camera;
+        let [w, h] = camera.resolution;
+        let camera = Camera {
+            resolution: [width, (width * h).div_ceil(w)],
+            ..camera
+        };
+        self.lab.cpu.install(|| View::with(scene, &camera, look))
+    }
+
+    /// A method with parameters.
+    pub(super) fn method(
+        &self,
+        id: &str,
+        parameters: &[(&str, &dyn ToString)],
+    ) -> Result<Box<dyn Configured>, HarnessError> {
+        let settings = parameters
+            .iter()
+            .map(|(name, value)| setting(name, value.to_string()));
+        self.lab.configure(id, &settings.collect::<Vec<_>>())
+    }
+
+    /// The references of a quantity at points, none of them computed yet.
+    pub(super) fn references<'b>(
+        &'b self,
+        room: &'b Room<'_>,
+        quantity: Quantity,
+        points: &'b Points,
+    ) -> References<'b> {
+        let (cx, seed) = (&self.lab.cpu, self.lab.seed);
+        References::new(cx, &room.cpu, quantity, points, self.stop(), seed)
+    }
+
+    /// As [`Self::references`], with eight times as many samples: for what is cheap to trace and judged by
+    /// more than a mean.
+    pub(super) fn precise<'b>(
+        &'b self,
+        room: &'b Room<'_>,
+        quantity: Quantity,
+        points: &'b Points,
+    ) -> References<'b> {
+        let stop = Stop {
+            samples: self.stop().samples.map(|n| 8 * n),
+            ..Stop::default()
+        };
+        let (cx, seed) = (&self.lab.cpu, self.lab.seed);
+        References::new(cx, &room.cpu, quantity, points, stop, seed)
+    }
+
+    /// Runs a method for its estimate alone: its record has no times.
+    pub(super) fn shot(
+        &self,
+        room: &Room<'_>,
+        backend: Backend,
+        method: &dyn Configured,
+        quantity: Quantity,
+        points: &Points,
+    ) -> Result<Shot, HarnessError> {
+        let mut shot = self.measured(room, backend, method, (quantity, points), &Sampling::ONCE)?;
+        shot.run.phases_ms = Phases::default();
+        Ok(shot)
+    }
+
+    /// Runs and times a method.
+    pub(super) fn timed_shot(
+        &self,
+        room: &Room<'_>,
+        backend: Backend,
+        method: &dyn Configured,
+        quantity: Quantity,
+        points: &Points,
+    ) -> Result<Shot, HarnessError> {
+        let usual = Sampling::default();
+        let sampling = Sampling {
+            most: self.pick(8, usual.most),
+            patience_ms: self.pick(usual.patience_ms, 5.0 * usual.patience_ms),
+            ..usual
+        };
+        self.measured(room, backend, method, (quantity, points), &sampling)
+    }
+
+    /// The only place that measures.
+    fn measured(
+        &self,
+        room: &Room<'_>,
+        backend: Backend,
+        method: &dyn Configured,
+        (quantity, points): (Quantity, &Points),
+        sampling: &Sampling,
+    ) -> Result<Shot, HarnessError> {
+        let timed = room
+            .stages
+            .measure(backend, method, quantity, points, sampling)?;
+        let values = method.values().into_iter();
+        let run = Run {
+            fidelity: method.fidelity().map(str::to_owned),
+            params: values.map(|(field, value)| (field.name, value)).collect(),
+            points: points.len(),
+            phases_ms: timed.measured.phases,
+            time_source: (timed.measured.phases.shade).map_or(TimeSource::WallClock, |t| t.source),
+            bytes: Some(timed.measured.bytes),
+            software: timed.software,
+            truth_missing: Some("compared by the experiment".into()),
+            own_model_missing: Some("compared by the experiment".into()),
+            ..Run::new(
+                room.cpu.scene().name.clone(),
+                method.info().id,
+                backend,
+                quantity.name(),
+            )
+        };
+        Ok(Shot {
+            estimate: timed.measured.estimate,
+            run,
+        })
+    }
+
+    /// Runs the next frame of a sequence.
+    pub(super) fn frame(
+        &self,
+        room: &Room<'_>,
+        (running, backend): (&mut Running, Backend),
+        method: &dyn Configured,
+        quantity: Quantity,
+        (points, seen, moves): (&Points, Option<Seen<'_>>, Moves),
+    ) -> Result<Shaded, HarnessError> {
+        let scene = room.cpu.scene();
+        let frame = Frame {
+            scene,
+            moves,
+            points,
+            seen,
+        };
+        room.stages
+            .next_frame(backend, running, method, quantity, &frame)
+    }
+
+    /// Whether times of a backend are a software adapter's.
+    pub(super) fn software(&self, backend: Backend) -> bool {
+        backend == Backend::Gpu && self.lab.machine().software == Some(true)
+    }
+}

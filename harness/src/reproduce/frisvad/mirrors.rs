@@ -1,0 +1,102 @@
+//! What mirrors show of indirect light: nothing, a trick, or what is there.
+
+use super::super::desk::{Desk, Room};
+use super::super::finding::Finding;
+use super::super::judge::Judge;
+use super::super::pictures::Row;
+use super::super::place::Place;
+use super::super::verdict::Amount;
+use super::bleeding::reflected;
+use crate::error::HarnessError;
+use crate::output::HdrImage;
+use crate::record::Backend;
+use crate::view::{Look, Mirrors, ShadedAt, View};
+use interreflect_estimators::Quantity;
+use interreflect_scene::{Estimate, PointLayout};
+
+/// The figure's pictures.
+const SHOWN: [(&str, Mirrors); 3] = [
+    ("(a) none", Mirrors::Direct),
+    ("(b) trick", Mirrors::Diffuse),
+    ("(c) included", Mirrors::Included),
+];
+
+pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
+    let mut finding = Finding::default();
+    let room = desk.room(&Place::of("cave"), &mut finding)?;
+    let mut views = Vec::new();
+    for (name, mirrors) in SHOWN {
+        views.push((name, look(desk, &room, mirrors)?));
+    }
+    let (direct, included) = (&views[0].1, &views[2].1);
+    // Where only light in mirrors makes the difference.
+    let plain = direct.surfaces();
+    let mirrored = included.surfaces().into_iter().enumerate();
+    let at: Vec<usize> = mirrored
+        .filter(|&(i, shows)| shows && !plain[i])
+        .map(|(i, _)| i)
+        .collect();
+    let points = included.points(Quantity::Irradiance.layout());
+    let mut references = desk.references(&room, Quantity::Irradiance, &points);
+    let truth = references.truth();
+    let reference = lit(included, &truth.values);
+    let materials = included.points(PointLayout::Material);
+    let error = included.image(&reflected(&materials, &truth.error));
+    let (values, errors) = (reference.to_estimate(), error.to_estimate());
+    let judge = Judge::at(&values, Some(&errors), at);
+    let mut row = Row::against(
+        "a mirror and a mirror ball",
+        "path tracing",
+        reference,
+        included.surfaces(),
+    );
+    for backend in desk.backends() {
+        let mut pictures = Vec::new();
+        for (name, view) in &views {
+            let image = shoot(desk, &room, (view, backend), &mut finding)?;
+            let error = judge.error(&image.to_estimate());
+            finding.measure((*name, "MSE / mean² in mirrors"), backend, error, "");
+            let shaded = Amount::exact(view.points(PointLayout::Surface).len() as f64);
+            finding.measure((*name, "points"), backend, shaded, "");
+            pictures.push(image.to_estimate());
+            if backend == desk.backends()[0] {
+                row.add(*name, image);
+            }
+        }
+        for (b, a, what) in [(1, 0, "(b) nearer than (a)"), (2, 1, "(c) nearer than (b)")] {
+            finding
+                .trials
+                .push(judge.nearer(what, backend, &pictures[b], &pictures[a]));
+        }
+    }
+    finding.pictures.push(row);
+    Ok(finding)
+}
+
+fn look(desk: &Desk<'_>, room: &Room<'_>, mirrors: Mirrors) -> Result<View, HarnessError> {
+    let look = Look {
+        at: ShadedAt::Pixels,
+        mirrors,
+    };
+    desk.whole_view(room, desk.pick(180, 640), look)
+}
+
+fn shoot(
+    desk: &Desk<'_>,
+    room: &Room<'_>,
+    (view, backend): (&View, Backend),
+    finding: &mut Finding,
+) -> Result<HdrImage, HarnessError> {
+    let map = desk.method(
+        "direct_radiance_map",
+        &[("fidelity", &"corrected"), ("samples_per_side", &5)],
+    )?;
+    let points = view.points(Quantity::Irradiance.layout());
+    let shot = desk.shot(room, backend, &*map, Quantity::Irradiance, &points)?;
+    finding.runs.push(shot.run);
+    Ok(lit(view, &shot.estimate))
+}
+
+fn lit(view: &View, irradiance: &Estimate) -> HdrImage {
+    view.lit(&reflected(&view.points(PointLayout::Material), irradiance))
+}

@@ -1,0 +1,51 @@
+//! Which scene an experiment wants, in the words of the command line.
+
+use super::assets::Model;
+use crate::cli::{SceneOptions, Setting};
+use std::path::PathBuf;
+
+/// A scene and what is to be different in it.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Place {
+    pub(super) source: String,
+    pub(super) options: SceneOptions,
+    pub(super) settings: Vec<Setting>,
+    pub(super) notes: Vec<String>,
+}
+
+impl Place {
+    /// A scene as it comes: a name of the library or a file.
+    pub(super) fn of(source: impl Into<String>) -> Self {
+        Self {
+            source: source.into(),
+            ..Self::default()
+        }
+    }
+
+    /// With a setting, named as on the command line without the leading `scene.`.
+    pub(super) fn set(mut self, name: &str, value: impl ToString) -> Self {
+        self.settings.push(setting(&format!("scene.{name}"), value));
+        self
+    }
+
+    /// With one more receiver.
+    pub(super) fn with(mut self, model: &Model) -> Self {
+        self.options.receiver.push(model.receiver.clone());
+        self.notes.extend(model.note.clone());
+        self
+    }
+
+    /// Under an environment; the scene's own if there is none.
+    pub(super) fn under(mut self, environment: Option<PathBuf>) -> Self {
+        self.options.environment = environment;
+        self
+    }
+}
+
+/// A setting as given on the command line.
+pub(super) fn setting(name: &str, value: impl ToString) -> Setting {
+    Setting {
+        name: name.into(),
+        value: value.to_string(),
+    }
+}
