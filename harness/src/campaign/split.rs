@@ -93,15 +93,13 @@ impl Cell<'_> {
         sum.step("the method's approximation", None, &exact, None);
         let host = self.estimate_in(method, Arithmetic::Lanes)?;
         sum.step("single precision", Some(Backend::Cpu), &host, None);
-        if backends.contains(&Backend::Gpu) {
-            if let Some(device) = self.estimate_on_gpu(method)? {
-                sum.step(
-                    "the GPU instead of the CPU",
-                    Some(Backend::Gpu),
-                    &device,
-                    None,
-                );
-            }
+        let device = match backends.contains(&Backend::Gpu) {
+            true => self.estimate_on_gpu(method)?,
+            false => None,
+        };
+        if let Some(device) = device {
+            let name = "the GPU instead of the CPU";
+            sum.step(name, Some(Backend::Gpu), &device, None);
         }
         Ok(Split {
             parts: sum.parts,

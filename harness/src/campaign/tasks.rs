@@ -93,10 +93,10 @@ impl Task {
 
 /// The registered path tracer at several sample counts, with and without further bounces.
 fn baselines(lab: &Lab, quantity: Quantity) -> Result<Vec<Box<dyn Configured>>, HarnessError> {
-    let tracer = lab.registry.entries().iter().map(|e| e.configure());
     let traces =
-        |m: &Box<dyn Configured>| m.quantities().contains(&quantity) && m.model(quantity) == TRUTH;
-    let Some(tracer) = tracer.into_iter().find(traces) else {
+        |m: &dyn Configured| m.quantities().contains(&quantity) && m.model(quantity) == TRUTH;
+    let mut registered = lab.registry.entries().iter().map(|e| e.configure());
+    let Some(tracer) = registered.find(|m| traces(&**m)) else {
         return Ok(Vec::new());
     };
     let limits = match quantity {

@@ -56,7 +56,7 @@ fn vectors_may_start_with_a_minus_sign() {
             let Command::Bench(bench) = parse(&line).unwrap() else {
                 panic!("not a bench");
             };
-            assert_eq!(bench.scene.reference_point, Some(vector));
+            assert_eq!(bench.what.scene.reference_point, Some(vector));
         }
     }
 }
@@ -66,9 +66,13 @@ fn a_bare_bench_runs_everything() {
     let Command::Bench(bench) = parse("bench").unwrap() else {
         panic!("not a bench");
     };
-    assert!(bench.scenes.is_empty() && bench.estimators.is_empty() && bench.quantities.is_empty());
-    assert_eq!(bench.backend.list(), [Backend::Cpu, Backend::Gpu]);
-    assert_eq!(bench.budget, ReferenceBudget::default());
+    assert!(
+        bench.scenes.is_empty()
+            && bench.what.estimators.is_empty()
+            && bench.what.quantities.is_empty()
+    );
+    assert_eq!(bench.what.backend.list(), [Backend::Cpu, Backend::Gpu]);
+    assert_eq!(bench.what.budget, ReferenceBudget::default());
 }
 
 #[test]
@@ -79,21 +83,22 @@ fn repeated_options_add_up() {
         panic!("not a bench");
     };
     assert_eq!(bench.scenes, ["a", "b.toml"]);
-    assert_eq!(bench.estimators, ["x", "y"]);
+    assert_eq!(bench.what.estimators, ["x", "y"]);
     assert_eq!(
         bench
+            .what
             .quantities
             .iter()
             .map(|q| q.name())
             .collect::<Vec<_>>(),
         ["irradiance", "glossy_radiance"]
     );
-    assert_eq!(bench.settings[0].split(), (Some("x"), "resolution"));
+    assert_eq!(bench.what.settings[0].split(), (Some("x"), "resolution"));
     assert_eq!(
         (
-            bench.budget.samples,
-            bench.budget.error,
-            bench.budget.seconds
+            bench.what.budget.samples,
+            bench.what.budget.error,
+            bench.what.budget.seconds
         ),
         (Some(64), Some(0.01), Some(2.5))
     );

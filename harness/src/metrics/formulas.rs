@@ -54,6 +54,13 @@ nearly black",
         meaning: "the relMSE that a perfect estimate would show, from the reference's standard error s: a \
 difference that it can explain is inconclusive, and its relMSE an upper bound",
     },
+    Formula {
+        name: "FLIP",
+        mathml: "<mfrac><mn>1</mn><mi>n</mi></mfrac><mo>∑</mo><mi>FLIP</mi><mo>(</mo><mi>t</mi><mo>(</mo>\
+<mi>e</mi><mo>)</mo><mo>,</mo><mi>t</mi><mo>(</mo><mi>r</mi><mo>)</mo><mo>)</mo>",
+        meaning: "what a viewer would notice when flipping between the images (Andersson et al. 2020), from 0 to 1, at 67 \
+pixels a degree; t exposes by the reference, takes the curve of sRGB and 8 bits",
+    },
 ];
 
 #[cfg(test)]

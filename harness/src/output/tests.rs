@@ -73,6 +73,7 @@ fn results_are_a_table_too() {
         command: "interreflect bench".into(),
         seed: Some(1),
         runs: vec![timed, set],
+        ..Results::default()
     };
     write_results(folder.path(), &results).unwrap();
     assert_eq!(read_results(folder.path()).unwrap(), results);

@@ -59,7 +59,6 @@ fn run() -> Run {
         truth: Some(comparison()),
         truth_missing: None,
         skipped: None,
-        scene_hash: None,
         image: None,
     }
 }
@@ -72,6 +71,7 @@ fn json_has_the_contract_s_keys() {
         command: "interreflect bench".into(),
         seed: Some(1),
         runs: vec![run()],
+        ..Results::default()
     };
     let json = serde_json::to_value(&results).unwrap();
     let run = &json["runs"][0];

@@ -22,6 +22,7 @@ fn comparison(relmse: f64) -> Option<Comparison> {
         relmse_above_noise: Some(relmse),
         noise_floor_rmse: 0.01,
         epsilon: 1e-4,
+        flip: None,
         compared: 384,
         reference: None,
     })
@@ -79,6 +80,7 @@ pub(crate) fn report() -> Report {
         command: "interreflect bench box".into(),
         seed: Some(1),
         runs,
+        ..Results::default()
     };
     Report::new(&results, rows)
 }
