@@ -62,7 +62,7 @@ impl<'a> Desk<'a> {
     /// When references are good enough.
     pub(super) fn stop(&self) -> Stop {
         Stop {
-            samples: Some(self.pick(64, 2048)),
+            samples: Some(self.pick(64, 512)),
             ..Stop::default()
         }
     }

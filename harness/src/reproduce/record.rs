@@ -148,3 +148,24 @@ impl Entry {
         format!("{id:<24} {item:<9} {verdict:<14} {why}")
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests")]
+
+    use super::super::experiments;
+    use super::*;
+
+    #[test]
+    fn an_experiment_that_fails_is_not_run_and_one_that_decides_nothing_does_not_fail() {
+        let experiment = experiments()[0];
+        let entry = |result| Entry::new(&experiment, result, (String::new(), 0.0), None).unwrap();
+        let failed = entry(Err(HarnessError::Usage("no light".into())));
+        assert_eq!(failed.failure(), Some("no light"));
+        assert_eq!(failed.record.verdict, "not run");
+        assert_eq!(failed.record.reason.as_deref(), Some("no light"));
+        let open = entry(Ok(Finding::default()));
+        assert_eq!(open.failure(), None);
+        assert!(open.record.reason.unwrap().starts_with("inconclusive"));
+    }
+}

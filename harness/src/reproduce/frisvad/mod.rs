@@ -91,9 +91,10 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         title: "mirrors without, with faked and with indirect light",
         claim: "In a mirror, (a) missing indirect light is seen, (b) the visual trick of taking \
             the mirror for diffuse hides it, (c) light estimated at what it shows is right.",
-        rule: "A trial is a pair on a backend: at the pixels of mirrors, (b) is nearer to the \
-            picture with path-traced light than (a), and (c) is nearer than (b), in mean squared \
-            error beyond the reference's noise.",
+        rule: "A trial is a pair on a backend: at the pixels of mirrors, (b) is nearer to the picture \
+            with path-traced light than (a), and (c) is nearer than (b), in mean squared error \
+            beyond the reference's noise. Indirect light of all three is brought to the truth's \
+            by one factor, from all surfaces that are seen.",
         run: mirrors::run,
     },
     Experiment {
