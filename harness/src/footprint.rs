@@ -8,35 +8,44 @@ use std::alloc::System;
 #[global_allocator]
 static HEAP: Cap<System> = Cap::new(System, usize::MAX);
 
-/// Bytes of a page.
-const PAGE: u64 = 4096;
-
-/// Where the work's data lies, and how much of it there was when it was last looked at.
+/// How much was made on a device when it was last looked at.
 pub(crate) struct Footprint {
-    before: u64,
+    before: Option<u64>,
 }
 
 impl Footprint {
     /// As it is now.
     pub(crate) fn of<S: Stage>(stage: &S) -> Self {
         Self {
-            before: held(stage),
+            before: stage.made_bytes(),
         }
     }
 
-    /// Bytes that came since the last look: on a device what was made, on the host whole pages of what is
-    /// kept, since threads keep a little of their own.
+    /// Bytes that were made on the device since the last look; 0 where all is on the host.
     pub(crate) fn more<S: Stage>(&mut self, stage: &S) -> u64 {
-        let now = held(stage);
-        let more = now.saturating_sub(self.before);
+        let now = stage.made_bytes();
+        let more = self.before.zip(now).map_or(0, |(before, now)| now - before);
         self.before = now;
-        match stage.made_bytes() {
-            Some(_) => more,
-            None => more.next_multiple_of(PAGE),
-        }
+        more
     }
 }
 
-fn held<S: Stage>(stage: &S) -> u64 {
-    stage.made_bytes().unwrap_or(HEAP.allocated() as u64)
+/// Bytes of the host's memory that become free with a value. Counted when it goes, not when it comes: then
+/// no other thread is at work, and the count is the same each time.
+pub(crate) fn freed<T>(value: T) -> u64 {
+    let before = HEAP.allocated();
+    drop(value);
+    before.saturating_sub(HEAP.allocated()) as u64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_goes_is_counted() {
+        let bytes = freed(vec![0_u64; 1 << 20]);
+        // Other tests run beside this one.
+        assert!((8 << 20..9 << 20).contains(&bytes), "{bytes}");
+    }
 }

@@ -2,7 +2,7 @@
 
 use crate::clock::Sampling;
 use crate::error::HarnessError;
-use crate::footprint::Footprint;
+use crate::footprint::{Footprint, freed};
 use crate::metrics::check_finite;
 use crate::record::{Bytes, Phases, Timing};
 use interreflect_estimators::stage::{Elapsed, Placed, Stage};
@@ -82,6 +82,9 @@ pub fn measure<S: Stage>(
     let shade = watch.again(shaded.value, shaded.compiled_ms, shade)?;
     let compile = watch.compiled_ms;
     let (estimate, readback) = read_back(stage, &out, sampling)?;
+    let made = prepared.bytes + shaded.bytes;
+    let kept_bytes = freed(session);
+    let own = stage.made_bytes().map_or(kept_bytes, |_| made);
     let points_bytes = (points.bytes() + estimate.bytes()) as u64;
     check_finite(method.info().id, &estimate, Some(points))?;
 
@@ -99,7 +102,7 @@ pub fn measure<S: Stage>(
         },
         bytes: Bytes {
             captures: stage.host_bytes(&captures).unwrap_or(made_bytes),
-            own: prepared.bytes + shaded.bytes,
+            own,
             points: points_bytes,
         },
         unread,

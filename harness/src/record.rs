@@ -235,7 +235,8 @@ impl Phases {
 pub struct Bytes {
     /// Captures; on a device with what they were drawn by.
     pub captures: u64,
-    /// What the method made of them: on the host whole pages of what it keeps.
+    /// What the method made of them: on the host what it keeps between frames, on a device all buffers and
+    /// textures of its first frame.
     pub own: u64,
     /// Points and their estimate.
     pub points: u64,

@@ -342,7 +342,7 @@ fn slips() -> Result<(), Failed> {
     refused(&format!("{room} localized_cubemap.resolution=8..2"), "2..8")?;
     refused(
         &format!("{room} localized_cubemap.resolution=2..4000:log2"),
-        "4000",
+        "use 1 to 64",
     )?;
     refused(&format!("{room} scene.recever.gap=.1"), "receiver.gap")?;
     refused(&format!("{room} run.point=8"), "points")?;

@@ -43,7 +43,7 @@ fn conclusions_fit_the_width_and_say_it_all() {
             "gpu sw",
             "software adapter",
             "≲ 0.0900",
-            "floor of relMSE",
+            "least relMSE against the truth of each method",
             "nothing is extrapolated",
             "≈ 0.110",
             "within noise of polygon_form_factor",
