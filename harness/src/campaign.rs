@@ -29,6 +29,7 @@ use crate::stages::Stages;
 use crate::truth::{Cache, References};
 use crate::view::View;
 use cell::Cell;
+use interreflect_cpu::path_tracer::Stop;
 use interreflect_cpu::scene::CpuScene;
 use interreflect_cpu::tiles::CpuCx;
 use interreflect_estimators::Quantity;
@@ -66,6 +67,9 @@ pub(crate) struct Campaign<'a> {
     /// Number of the next task.
     next: usize,
 }
+
+/// How many times fewer samples light paths between the truth and a model get than the truth.
+const BETWEEN: u32 = 4;
 
 /// A task to do, with its number and its key.
 struct Todo {
@@ -206,7 +210,14 @@ impl<'a> Campaign<'a> {
         let stop = reference_stop(&self.settings.budget);
         let seed = self.lab.seed;
         let scene = &opened.scene;
-        let references = References::new(cx, scene, quantity, &points, stop, seed);
+        let references = |stop| {
+            let references = References::new(cx, scene, quantity, &points, stop, seed);
+            references.cached(cache.clone())
+        };
+        let fewer = Stop {
+            samples: stop.samples.map(|samples| samples.div_ceil(BETWEEN)),
+            ..stop
+        };
         let mut cell = Cell {
             name: setup.name.clone(),
             digest: hash.into(),
@@ -217,7 +228,8 @@ impl<'a> Campaign<'a> {
             stages: &opened.stages,
             view: &opened.view,
             points: points.clone(),
-            references: references.cached(cache),
+            references: references(stop),
+            between: references(fewer),
             sampling: self.settings.sampling,
             machine: self.lab.machine().id(),
         };

@@ -116,6 +116,14 @@ impl<'a> References<'a> {
         [model, TRUTH].map(|model| self.compare_with(estimate, model))
     }
 
+    /// Compares an estimate with the truth alone.
+    ///
+    /// # Errors
+    /// [`HarnessError`] if it, or the truth, is not finite.
+    pub fn compare_with_truth(&mut self, estimate: &Estimate) -> Result<Comparison, HarnessError> {
+        self.compare_with(estimate, TRUTH)
+    }
+
     /// How far a model is from the truth, whoever computes it: a comparison of one reference with the other,
     /// whose noise is that of both.
     ///

@@ -30,6 +30,8 @@ pub(super) struct Cell<'a> {
     pub(super) view: &'a View,
     pub(super) points: Points,
     pub(super) references: References<'a>,
+    /// Light paths between the truth and a model, with fewer samples: what splits step over.
+    pub(super) between: References<'a>,
     pub(super) sampling: Sampling,
     pub(super) machine: String,
 }
@@ -72,6 +74,7 @@ impl Cell<'_> {
         Ok(Outcome { done, failure })
     }
 
+    /// A run; one without an image is a baseline, which is held against the truth alone.
     fn run(
         &mut self,
         method: &dyn Configured,
@@ -94,9 +97,18 @@ impl Cell<'_> {
             }
         };
         let estimate = &timed.measured.estimate;
-        let model = method.model(self.quantity);
-        let [own, truth] = self.references.compare(estimate, model);
-        (run.own_model, run.own_model_missing) = either(own);
+        let truth = match image {
+            Some(_) => {
+                let model = method.model(self.quantity);
+                let [own, truth] = self.references.compare(estimate, model);
+                (run.own_model, run.own_model_missing) = either(own);
+                truth
+            }
+            None => {
+                run.own_model_missing = Some("held against the truth alone".into());
+                self.references.compare_with_truth(estimate)
+            }
+        };
         (run.truth, run.truth_missing) = either(truth);
         if let Some(truth) = &mut run.truth {
             truth.flip = self.flip(estimate);

@@ -86,7 +86,10 @@ impl Cell<'_> {
         let steps = left_out(method.model(self.quantity));
         let mut sum = Sum::new(self.points.clone(), self.references.model(TRUTH));
         for (name, model) in steps {
-            let values = self.references.model(model);
+            let values = match model {
+                OwnModel::LightTransport(_) => self.between.model(model),
+                _ => self.references.model(model),
+            };
             sum.step(name, None, &values.values, Some(&values.error));
         }
         let exact = self.estimate_in(method, Arithmetic::Float64)?;
