@@ -28,9 +28,9 @@ impl Default for Sampling {
     fn default() -> Self {
         Self {
             least: 5,
-            most: 64,
+            most: 48,
             spread: 0.05,
-            patience_ms: 400.0,
+            patience_ms: 250.0,
         }
     }
 }

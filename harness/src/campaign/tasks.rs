@@ -21,7 +21,7 @@ pub(super) enum Task {
 }
 
 /// Samples a point of the baselines.
-const RAYS: [u32; 5] = [1, 4, 16, 64, 256];
+const RAYS: [u32; 4] = [1, 4, 16, 64];
 
 /// Reflections of the baselines: no limit is path tracing; one, what n rays a point gather of emitted and
 /// once reflected light.
