@@ -4,7 +4,9 @@
 mod support;
 
 use glam::Vec3;
-use interreflect_cpu::path_tracer::{LightPaths, PathQuantity, REPLICATES, Stop, trace};
+use interreflect_cpu::path_tracer::{
+    LightPaths, PathQuantity, REPLICATES, Stop, mean_of_samples, trace,
+};
 use interreflect_scene::{Light, Material, Point, Role};
 use std::sync::Mutex;
 use support::estimates::{irradiance, samples};
@@ -145,4 +147,40 @@ fn points_that_are_not_numbers_stay_alone() {
     }
     let nothing = irradiance(&scene, &points([]), LightPaths::ALL, 10);
     assert!(nothing.mean.is_empty());
+}
+
+/// Few samples are off, but not to one side: the mean of many such estimates is within four of its own
+/// standard errors of the traced one, whose error is added.
+#[test]
+fn few_samples_have_the_same_mean_whatever_their_number() {
+    const RUNS: u64 = 400;
+    let scene = cpu(&busy_scene());
+    let list = points(support::directions(4).map(|d| point(d * 0.41, d)));
+    let (quantity, paths) = (PathQuantity::Irradiance, LightPaths::ALL);
+    let truth = trace(
+        &scene,
+        &list,
+        quantity,
+        &paths,
+        &samples(1 << 14),
+        99,
+        &|_| {},
+    );
+    for count in [1, 7] {
+        let estimates: Vec<_> = (0..RUNS)
+            .map(|seed| mean_of_samples(&scene, &list, quantity, &paths, count, seed))
+            .collect();
+        for i in 0..list.len() {
+            let red = || estimates.iter().map(|e| f64::from(e.get(i).x));
+            let mean = red().sum::<f64>() / RUNS as f64;
+            let squares = red().map(|v| (v - mean).powi(2)).sum::<f64>();
+            let error = (squares / (RUNS * (RUNS - 1)) as f64).sqrt();
+            let of_truth = f64::from(truth.standard_error.get(i).x);
+            let off = mean - f64::from(truth.mean.get(i).x);
+            assert!(
+                off.abs() < 4.0 * error.hypot(of_truth),
+                "{count}: {off} of {error}"
+            );
+        }
+    }
 }

@@ -4,6 +4,7 @@ mod axis;
 mod cell;
 mod journal;
 mod plan;
+mod results;
 mod run_settings;
 mod shard;
 mod split;
@@ -22,7 +23,6 @@ use crate::commands::reference_stop;
 use crate::error::HarnessError;
 use crate::gallery::Gallery;
 use crate::lab::Lab;
-use crate::machine::Machine;
 use crate::progress;
 use crate::record::{Backend, Results, Run};
 use crate::stages::Stages;
@@ -318,27 +318,4 @@ pub(crate) fn program() -> String {
         |why| why.to_string(),
         |bytes| interreflect_scene::digest_of_bytes(&bytes),
     )
-}
-
-impl Results {
-    /// Keeps the machines apart, where there are several.
-    pub(crate) fn of_machines(&mut self, machines: &[Machine]) {
-        let by_id = machines.iter().map(|m| (m.id(), m.clone()));
-        self.machines = by_id.collect();
-        if self.machines.len() < 2 {
-            self.machines.clear();
-        }
-    }
-
-    /// Sorts what was done to its kind.
-    pub(crate) fn take<'d>(&mut self, done: impl Iterator<Item = &'d Done>) {
-        for done in done {
-            match done {
-                Done::Run(run) => self.runs.push((**run).clone()),
-                Done::Baseline(run) => self.baselines.push((**run).clone()),
-                Done::Floor(floor) => self.floors.push((**floor).clone()),
-                Done::Split(split) => self.splits.push((**split).clone()),
-            }
-        }
-    }
 }

@@ -222,12 +222,6 @@ impl Phases {
         let parts = [self.capture, self.prepare];
         Some(parts.into_iter().flatten().fold(shade, Timing::and))
     }
-
-    /// Sum of what is paid once: the coarse solution and compilation.
-    pub fn once_ms(&self) -> f64 {
-        let parts = [self.solve, self.compile];
-        parts.into_iter().flatten().map(|t| t.median).sum()
-    }
 }
 
 /// Bytes on the backend's side.

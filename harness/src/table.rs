@@ -146,6 +146,14 @@ fn notes(runs: &[Run]) -> String {
     {
         notes += UPPER_BOUND;
     }
+    let frames = || runs.iter().filter_map(|r| r.phases_ms.frame());
+    let unsettled = frames().filter(|t| t.settled == Some(false)).count();
+    if unsettled > 0 {
+        let all = frames().count();
+        notes += &format!(
+            "{unsettled} of {all} frame times did not settle: --patience gives each phase more time\n"
+        );
+    }
     if notes.is_empty() {
         notes
     } else {

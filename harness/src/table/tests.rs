@@ -105,3 +105,13 @@ fn hardware_and_conclusive_runs_need_no_notes() {
     assert!(!text.contains("software") && !text.contains('≲'), "{text}");
     assert_eq!(runs(&[], Some(120)), "");
 }
+
+#[test]
+fn times_that_did_not_settle_are_counted() {
+    let mut of_three = sample();
+    let shade = of_three[0].phases_ms.shade.as_mut().unwrap();
+    shade.settled = Some(false);
+    of_three[0].phases_ms.capture = None;
+    let text = runs(&of_three, Some(120));
+    assert!(text.contains("1 of 3 frame times did not settle"), "{text}");
+}
