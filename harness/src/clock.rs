@@ -28,7 +28,7 @@ impl Default for Sampling {
     fn default() -> Self {
         Self {
             least: 5,
-            most: 48,
+            most: 256,
             spread: 0.05,
             patience_ms: 250.0,
         }

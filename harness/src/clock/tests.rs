@@ -33,7 +33,7 @@ fn steady_times_settle_early_and_wild_ones_do_not() -> Result<(), Infallible> {
         ..Sampling::default()
     };
     let times = |deviation| {
-        let mut series = noisy(10.0, deviation, 100, 3).into_iter().map(host);
+        let mut series = noisy(10.0, deviation, 300, 3).into_iter().map(host);
         sampling.repeat(host(50.0), || {
             Ok::<_, Infallible>(series.next().unwrap_or(host(10.0)))
         })
