@@ -38,7 +38,7 @@ fn steady_times_settle_early_and_wild_ones_do_not() -> Result<(), Infallible> {
             Ok::<_, Infallible>(series.next().unwrap_or(host(10.0)))
         })
     };
-    let (steady, wild) = (times(0.01)?, times(0.5)?);
+    let (steady, wild) = (times(0.01)?, times(0.9)?);
     assert_eq!(steady.len(), sampling.least);
     assert_eq!(wild.len(), sampling.most);
     assert!(
