@@ -118,8 +118,12 @@ impl<'a> Campaign<'a> {
         let plan = self.plan;
         let mut cx = self.lab.cpu.clone();
         for setup in &plan.setups {
-            if setup.run.threads > 0 && setup.run.threads as usize != cx.threads() {
-                cx = self.lab.cpu_on(setup.run.threads as usize)?;
+            let threads = match setup.run.threads {
+                0 => self.lab.cpu.threads(),
+                threads => threads as usize,
+            };
+            if threads != cx.threads() {
+                cx = self.lab.cpu_on(threads)?;
             }
             let scene = self
                 .lab

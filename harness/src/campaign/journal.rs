@@ -4,7 +4,7 @@ use crate::machine::Machine;
 use crate::output::OutputError;
 use crate::record::{Floor, Run, Split};
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, Read as _, Seek as _, SeekFrom, Write as _};
 use std::path::{Path, PathBuf};
@@ -188,8 +188,9 @@ impl Journal {
 
     /// Results of other campaigns, builds or settings that the file holds too.
     pub(crate) fn others(&self) -> usize {
-        let ours: Vec<&str> = self.entries.values().map(|e| &*e.key).collect();
-        self.known.keys().filter(|k| !ours.contains(&&***k)).count()
+        let ours: BTreeSet<&str> = self.entries.values().map(|e| &*e.key).collect();
+        let others = self.known.keys().filter(|key| !ours.contains(&***key));
+        others.count()
     }
 
     /// All machines that took part.
