@@ -258,11 +258,12 @@ fn file() -> Result<(), Failed> {
         let mut records: Vec<String> = records(&json).iter().map(Value::to_string).collect();
         records.sort();
         records
-            .into_iter()
-            .map(|r| r.replace(char::is_numeric, ""))
-            .collect::<Vec<_>>()
     };
-    assert_eq!(sorted(by_file).len(), sorted(by_words).len());
+    let (by_file, by_words) = (sorted(by_file), sorted(by_words));
+    for (file, words) in by_file.iter().zip(&by_words) {
+        assert_eq!(file, words);
+    }
+    assert_eq!(by_file.len(), by_words.len());
     Ok(())
 }
 
