@@ -1,4 +1,6 @@
 //! What `bench` and `sweep` do: every task of a plan, each kept as soon as it is done.
+//!
+//! Longer than most: from a plan to its results is one way, and what it holds is what every step needs.
 
 mod axis;
 mod cell;

@@ -2,6 +2,8 @@
 //!
 //! The trial with GNU parallel is shown as ignored where that is not installed;
 //! INTERREFLECT_REQUIRE_PARALLEL=1 makes that a failure.
+//!
+//! Longer than most: all trials are of one small sweep.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use libtest_mimic::{Arguments, Failed, Trial};
