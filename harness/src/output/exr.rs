@@ -130,6 +130,9 @@ fn encode(image: &HdrImage, surfaces: Option<&[bool]>, header: &Header) -> exr::
     let mut bytes = io::Cursor::new(Vec::new());
     exr::Image::from_layer(layer)
         .write()
+        // Threads of the encoder's own end some time after it, and would free memory while the next thing
+        // is measured.
+        .non_parallel()
         .to_buffered(&mut bytes)?;
     Ok(bytes.into_inner())
 }
