@@ -56,13 +56,13 @@ impl<'a> Desk<'a> {
 
     /// Points of a picture.
     pub(super) fn points(&self) -> usize {
-        self.pick(8_000, 30_000)
+        self.pick(8_000, 16_000)
     }
 
     /// When references are good enough.
     pub(super) fn stop(&self) -> Stop {
         Stop {
-            samples: Some(self.pick(64, 512)),
+            samples: Some(self.pick(64, 256)),
             ..Stop::default()
         }
     }
