@@ -80,8 +80,12 @@ struct Todo {
     key: String,
 }
 
-/// A scene on the backends, with its points, for all quantities.
+/// A scene of the plan on the backends, with its points, for all quantities.
 struct Opened<'a> {
+    setup: &'a Setup,
+    /// The scene's digest.
+    hash: &'a str,
+    cx: &'a CpuCx,
     scene: Arc<CpuScene>,
     stages: Stages<'a>,
     view: View,
@@ -139,9 +143,9 @@ impl<'a> Campaign<'a> {
                 }
                 let opened = match &opened {
                     Some(opened) => opened,
-                    None => opened.insert(self.open(setup, &cx)?),
+                    None => opened.insert(self.open(setup, &hash, &cx)?),
                 };
-                self.cell(setup, &hash, quantity, opened, &cx, todo, &mut each)?;
+                self.cell(opened, quantity, todo, &mut each)?;
             }
         }
         Ok(())
@@ -177,7 +181,12 @@ impl<'a> Campaign<'a> {
         Ok(todo)
     }
 
-    fn open<'c>(&self, setup: &Setup, cx: &'c CpuCx) -> Result<Opened<'c>, HarnessError> {
+    fn open<'c>(
+        &self,
+        setup: &'c Setup,
+        hash: &'c str,
+        cx: &'c CpuCx,
+    ) -> Result<Opened<'c>, HarnessError> {
         let gpu = self.plan.backends.contains(&Backend::Gpu);
         let options = &self.plan.scene_options;
         let loaded = self
@@ -187,35 +196,39 @@ impl<'a> Campaign<'a> {
         let count = setup.run.points as usize;
         let view = cx.install(|| View::of_about(&loaded.cpu, &camera, count))?;
         Ok(Opened {
+            setup,
+            hash,
+            cx,
             scene: loaded.cpu.clone(),
             stages: Stages::new(cx, loaded),
             view,
         })
     }
 
-    #[allow(
-        clippy::too_many_arguments,
-        reason = "a cell is where everything meets"
-    )]
+    /// Does tasks of one quantity of a scene.
     fn cell(
         &mut self,
-        setup: &Setup,
-        hash: &str,
-        quantity: Quantity,
         opened: &Opened<'_>,
-        cx: &CpuCx,
+        quantity: Quantity,
         todo: Vec<Todo>,
         each: &mut impl FnMut(&Self) -> Result<(), HarnessError>,
     ) -> Result<(), HarnessError> {
+        let Opened {
+            setup,
+            hash,
+            cx,
+            scene,
+            stages,
+            view,
+        } = opened;
         let bar = progress::bar("path tracing", todo.len() as u64);
-        let points = opened.view.points(quantity.layout());
+        let points = view.points(quantity.layout());
         let cache = self.settings.references.as_ref().map(|folder| {
             let of = digest(&(&self.settings.program, hash, setup.run.points));
             Cache::new(folder.clone(), of)
         });
         let stop = reference_stop(&self.settings.budget);
         let seed = self.lab.seed;
-        let scene = &opened.scene;
         let references = |stop| {
             let references = References::new(cx, scene, quantity, &points, stop, seed);
             references.cached(cache.clone())
@@ -226,20 +239,19 @@ impl<'a> Campaign<'a> {
         };
         let mut cell = Cell {
             name: setup.name.clone(),
-            digest: hash.into(),
+            digest: (*hash).into(),
             setup,
             quantity,
             cx,
             scene: scene.clone(),
-            stages: &opened.stages,
-            view: &opened.view,
+            stages,
+            view,
             points: points.clone(),
             references: references(stop),
             between: references(fewer),
             sampling: self.settings.sampling,
             machine: self.lab.machine().id(),
         };
-        let view = &opened.view;
         self.gallery
             .begin(&setup.name, quantity, view, cell.references.truth())?;
         for Todo { task, at, key } in todo {

@@ -158,8 +158,7 @@ impl<'a> Desk<'a> {
         quantity: Quantity,
         points: &'b Points,
     ) -> References<'b> {
-        let (cx, seed) = (&self.lab.cpu, self.lab.seed);
-        References::new(cx, &room.cpu, quantity, points, self.stop(), seed)
+        self.references_to(self.stop(), room, quantity, points)
     }
 
     /// As [`Self::references`], with eight times as many samples: for what is cheap to trace and judged by
@@ -174,6 +173,16 @@ impl<'a> Desk<'a> {
             samples: self.stop().samples.map(|n| 8 * n),
             ..Stop::default()
         };
+        self.references_to(stop, room, quantity, points)
+    }
+
+    fn references_to<'b>(
+        &'b self,
+        stop: Stop,
+        room: &'b Room<'_>,
+        quantity: Quantity,
+        points: &'b Points,
+    ) -> References<'b> {
         let (cx, seed) = (&self.lab.cpu, self.lab.seed);
         References::new(cx, &room.cpu, quantity, points, stop, seed)
     }
