@@ -1,4 +1,7 @@
 //! Images in linear HDR that say what they are.
+//!
+//! They are packed and unpacked on the thread that asks: the format library's own threads end some time
+//! after a file, and would take time and free memory while the next thing is measured.
 
 use super::{HdrImage, OutputError, write_atomically};
 use crate::machine::Machine;
@@ -130,8 +133,6 @@ fn encode(image: &HdrImage, surfaces: Option<&[bool]>, header: &Header) -> exr::
     let mut bytes = io::Cursor::new(Vec::new());
     exr::Image::from_layer(layer)
         .write()
-        // Threads of the encoder's own end some time after it, and would free memory while the next thing
-        // is measured.
         .non_parallel()
         .to_buffered(&mut bytes)?;
     Ok(bytes.into_inner())
@@ -169,6 +170,7 @@ pub fn read_labelled_exr(path: &Path) -> Result<Labelled, OutputError> {
         )
         .first_valid_layer()
         .all_attributes()
+        .non_parallel()
         .from_file(path);
     let read = read.map_err(|e| OutputError::Read {
         path: path.into(),

@@ -16,8 +16,11 @@ use interreflect_cpu::path_tracer::Stop;
 use interreflect_cpu::scene::CpuScene;
 use interreflect_estimators::{Configured, Quantity, Seen};
 use interreflect_scene::motion::Moves;
-use interreflect_scene::{Camera, Points, Scene};
+use interreflect_scene::{Camera, Points, Role, Scene};
 use std::sync::Arc;
+
+/// Share of a mesh's area turned inside out above which it is remarked.
+const FOLDED: f64 = 1e-3;
 
 /// Methods, backends and models, and how much effort is made.
 pub struct Desk<'a> {
@@ -77,7 +80,7 @@ impl<'a> Desk<'a> {
         &self.assets
     }
 
-    /// Opens a scene; what takes something's place in it is noted.
+    /// Opens a scene; what takes something's place in it is noted, and what is wrong with a mesh.
     pub(super) fn scene(
         &self,
         place: &Place,
@@ -86,8 +89,21 @@ impl<'a> Desk<'a> {
         for note in &place.notes {
             finding.note(note.as_str());
         }
-        self.lab
-            .scene(&place.source, &place.options, &place.settings)
+        let scene = self
+            .lab
+            .scene(&place.source, &place.options, &place.settings)?;
+        for object in scene.objects_of(Role::Receiver) {
+            let folded = object.mesh.folded_share();
+            if folded > FOLDED {
+                finding.note(format!(
+                    "{}: {:.1} % of its area is in triangles that are turned inside out: what is seen of \
+                     them are dark dots",
+                    object.name,
+                    100.0 * folded
+                ));
+            }
+        }
+        Ok(scene)
     }
 
     /// Sets a scene up on the backends.
