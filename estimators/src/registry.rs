@@ -1,4 +1,6 @@
 //! The list of methods, and how their types are erased: one virtual call per prepare or shade.
+//!
+//! Longer than most: what is called without its type, and what calls it with its type, are read side by side.
 
 use crate::backend::{Backend, Cpu, Gpu, Inputs};
 use crate::claims::Claim;

@@ -96,8 +96,8 @@ impl<'a> Desk<'a> {
             let folded = object.mesh.folded_share();
             if folded > FOLDED {
                 finding.note(format!(
-                    "{}: {:.1} % of its area is in triangles that are turned inside out: what is seen of \
-                     them are dark dots",
+                    "{}: {:.1} % of its area is in triangles that are turned inside out, and seen as \
+                     dark dots",
                     object.name,
                     100.0 * folded
                 ));

@@ -1,4 +1,6 @@
 //! Points that lie side by side gather from the hierarchy together.
+//!
+//! Longer than most: what a tile knows, which nodes it takes whole and what it sums are one kernel.
 
 use super::hierarchy::Hierarchy;
 use super::near::{Receiver, near};
