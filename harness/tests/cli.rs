@@ -293,7 +293,10 @@ const REFUSED: &[(&str, &[&str])] = &[
     ),
     ("compare a.exr b.exr", &["a.exr"]),
     ("report missing", &["missing", "bench --out"]),
-    ("bench furnace --tev=localhost:1", &["localhost:1", "--tev"]),
+    (
+        "bench furnace --backend cpu --tev=localhost:1",
+        &["localhost:1", "--tev"],
+    ),
     ("render furnace --estimator nothing", &["nothing"]),
     (
         "reference furnace --set samples=0 --samples 32",

@@ -27,7 +27,6 @@ pub(super) fn run(
     }
     let chosen = chosen(&command.experiments)?;
     let lab = Lab::new(registry, &command.run)?;
-    let (backends, gpu_missing) = backends(command, &lab)?;
     let out = match (&command.out, command.json) {
         (Some(folder), _) => Some(folder.clone()),
         (None, true) => None,
@@ -36,6 +35,7 @@ pub(super) fn run(
     if let Some(folder) = &out {
         ensure_writable(folder)?;
     }
+    let (backends, gpu_missing) = backends(command, &lab)?;
     let session = Session {
         desk: Desk::new(&lab, backends, Assets::find(), command.quick),
         lab: &lab,
