@@ -5,18 +5,16 @@
 use criterion::{BenchmarkGroup, BenchmarkId, Criterion, Throughput, measurement::WallTime};
 use criterion::{criterion_group, criterion_main};
 use interreflect::view::View;
-use interreflect_cpu::scene::CpuScene;
 use interreflect_cpu::tiles::CpuCx;
-use interreflect_estimators::stage::{CpuStage, GpuStage, Placed, Stage};
+use interreflect_estimators::execution::{BackendScene, GpuLoadedScene, LoadedScene};
 use interreflect_estimators::{
-    Changed, Configured, EstimatorError, Inputs, Quantity, Registry, Unsupported,
+    Changed, Configured, EstimatorError, Quantity, Registry, Unsupported,
 };
-use interreflect_gpu::{GpuContext, GpuScene};
+use interreflect_gpu::GpuContext;
 use interreflect_scene::{
     CubeChannels, CubeSpec, LightViewChannels, LightViewSpec, Needs, Point, PointLayout, Points,
     SceneRequest, open,
 };
-use std::sync::Arc;
 use std::time::Duration;
 
 /// Points that are shaded.
@@ -25,47 +23,43 @@ const POINTS: usize = 65_536;
 /// The scene: walls of six colours, a light with shadows, a glossy receiver.
 const SCENE: &str = "colored-room";
 
-struct Lab {
-    cx: CpuCx,
-    scene: Arc<CpuScene>,
+/// What is benchmarked on: a loaded scene, and points of it.
+struct Fixture {
+    loaded: LoadedScene,
     points: Vec<Point>,
 }
 
-impl Lab {
+impl Fixture {
     fn new() -> Self {
         let scene = open(&SceneRequest::new(SCENE)).expect("a scene of the library");
-        let cpu = Arc::new(CpuScene::new(&scene).expect("a scene that the CPU takes"));
         let cx = CpuCx::new(None, None).expect("a pool of threads");
-        let view = cx.install(|| View::of_about(&cpu, &scene.camera, POINTS));
+        let loaded = LoadedScene::new(&cx, &scene).expect("a scene that the CPU takes");
+        let cpu = &loaded.cpu().scene;
+        let view = cx.install(|| View::of_about(cpu, &scene.camera, POINTS));
         let view = view.expect("a view with points");
         let seen = view.points(PointLayout::Material);
         let on_receiver: Vec<_> = seen.iter().flatten().collect();
-        Self {
-            points: on_receiver.iter().copied().cycle().take(POINTS).collect(),
-            scene: cpu,
-            cx,
-        }
-    }
-
-    fn cpu(&self) -> CpuStage<'_> {
-        CpuStage {
-            cx: &self.cx,
-            scene: self.scene.clone(),
-        }
+        let points = on_receiver.iter().copied().cycle().take(POINTS).collect();
+        let loaded = match GpuContext::new(None) {
+            Ok(context) => loaded
+                .with_gpu(&context)
+                .expect("a scene that the GPU takes"),
+            Err(why) => {
+                eprintln!("no GPU benchmarks: {why}");
+                loaded
+            }
+        };
+        Self { loaded, points }
     }
 
     /// The scene on the GPU and how its times are labelled; `None` without an adapter.
-    fn gpu(&self) -> Option<(GpuStage<'_>, &'static str)> {
-        let context = GpuContext::new(None)
-            .inspect_err(|e| eprintln!("no GPU benchmarks: {e}"))
-            .ok()?;
-        let scene =
-            GpuScene::new(&context, self.scene.scene()).expect("a scene that the GPU takes");
-        let label = match context.info().software {
+    fn gpu(&self) -> Option<(&GpuLoadedScene, &'static str)> {
+        let side = self.loaded.gpu().ok()?;
+        let label = match side.software() {
             true => "gpu-software",
             false => "gpu",
         };
-        Some((GpuStage::new(context, scene, self.cpu()), label))
+        Some((side, label))
     }
 }
 
@@ -95,20 +89,20 @@ fn settings(group: &mut Group<'_>) {
 }
 
 fn methods(criterion: &mut Criterion) {
-    let lab = Lab::new();
-    let gpu = lab.gpu();
+    let fixture = Fixture::new();
+    let gpu = fixture.gpu();
     for (name, method) in variants() {
         for quantity in method.quantities() {
             let mut group = criterion.benchmark_group(format!("{name}/{}", quantity.name()));
             settings(&mut group);
             let run = Run {
-                lab: &lab,
+                fixture: &fixture,
                 method: &*method,
                 quantity: *quantity,
             };
-            run.on(&mut group, &lab.cpu(), "cpu");
-            if let Some((stage, label)) = &gpu {
-                run.on(&mut group, stage, label);
+            run.on(&mut group, fixture.loaded.cpu(), "cpu");
+            if let Some((loaded, label)) = gpu {
+                run.on(&mut group, loaded, label);
             }
             group.finish();
         }
@@ -116,14 +110,14 @@ fn methods(criterion: &mut Criterion) {
 }
 
 struct Run<'a> {
-    lab: &'a Lab,
+    fixture: &'a Fixture,
     method: &'a dyn Configured,
     quantity: Quantity,
 }
 
 impl Run<'_> {
-    fn on<S: Stage>(&self, group: &mut Group<'_>, stage: &S, backend: &str) {
-        if let Err(error) = self.bench(group, stage, backend) {
+    fn on<S: BackendScene>(&self, group: &mut Group<'_>, loaded: &S, backend: &str) {
+        if let Err(error) = self.bench(group, loaded, backend) {
             match error {
                 EstimatorError::Unsupported(Unsupported(why)) => eprintln!("not run: {why}"),
                 error => panic!("{}: {error}", self.method.info().id),
@@ -131,41 +125,27 @@ impl Run<'_> {
         }
     }
 
-    fn bench<S: Stage>(
+    fn bench<S: BackendScene>(
         &self,
         group: &mut Group<'_>,
-        stage: &S,
+        loaded: &S,
         backend: &str,
     ) -> Result<(), EstimatorError> {
-        let (scene, quantity) = (self.lab.scene.scene(), self.quantity);
-        let needs = self.method.needs(quantity, &scene.facts())?;
-        let mut session = stage.open(self.method)?;
-        let points = Points::new(quantity.layout(), self.lab.points.iter().copied().map(Some));
-        let Placed {
-            points: placed,
-            mut out,
-        } = stage.place(&points)?;
-        let (captures, _) = stage.capture(&needs)?;
-        let origin = (scene.facts(), scene.reference_point);
-        let inputs = Inputs::new(&needs, &captures, &placed, &points, origin, Changed::ALL);
-        let mut prepare = || {
-            stage.timed("prepare", &mut |cx| {
-                session.prepare(cx, quantity, &inputs, &out)
-            })
-        };
-        prepare()?;
+        let points = self.fixture.points.iter().copied().map(Some);
+        let points = Points::new(self.quantity.layout(), points);
+        let mut executor = loaded.executor(self.method, self.quantity, &points)?;
+        executor.prepare(Changed::ALL)?;
         group.bench_function(BenchmarkId::new("prepare", backend), |bencher| {
-            bencher.iter(|| prepare().expect("what was prepared once"));
+            bencher.iter(|| {
+                executor
+                    .prepare(Changed::ALL)
+                    .expect("what was prepared once")
+            });
         });
-        let mut shade = || {
-            stage.timed("shade", &mut |cx| {
-                session.shade(cx, quantity, &inputs, &mut out)
-            })
-        };
-        shade()?;
+        executor.shade()?;
         group.throughput(Throughput::Elements(POINTS as u64));
         group.bench_function(BenchmarkId::new("shade", backend), |bencher| {
-            bencher.iter(|| shade().expect("what was shaded once"));
+            bencher.iter(|| executor.shade().expect("what was shaded once"));
         });
         Ok(())
     }
@@ -173,8 +153,8 @@ impl Run<'_> {
 
 /// A cube of 256² texels a face: radiance alone, and with distance and normal.
 fn captures(criterion: &mut Criterion) {
-    let lab = Lab::new();
-    let gpu = lab.gpu();
+    let fixture = Fixture::new();
+    let gpu = fixture.gpu();
     let mut group = criterion.benchmark_group("capture/cube 256");
     settings(&mut group);
     for (name, located) in [("radiance", false), ("radiance+distance+normal", true)] {
@@ -193,12 +173,12 @@ fn captures(criterion: &mut Criterion) {
         };
         capture(
             &mut group,
-            &lab.cpu(),
+            fixture.loaded.cpu(),
             BenchmarkId::new(name, "cpu"),
             &needs,
         );
-        if let Some((stage, label)) = &gpu {
-            capture(&mut group, stage, BenchmarkId::new(name, label), &needs);
+        if let Some((loaded, label)) = gpu {
+            capture(&mut group, loaded, BenchmarkId::new(name, label), &needs);
         }
     }
     group.finish();
@@ -206,8 +186,8 @@ fn captures(criterion: &mut Criterion) {
 
 /// Views from the light, 16² and 256² texels each, with position, radiance and normal.
 fn light_views(criterion: &mut Criterion) {
-    let lab = Lab::new();
-    let gpu = lab.gpu();
+    let fixture = Fixture::new();
+    let gpu = fixture.gpu();
     let mut group = criterion.benchmark_group("capture/light views");
     settings(&mut group);
     for size in [16, 256] {
@@ -223,20 +203,20 @@ fn light_views(criterion: &mut Criterion) {
         let name = format!("{size}");
         capture(
             &mut group,
-            &lab.cpu(),
+            fixture.loaded.cpu(),
             BenchmarkId::new(&name, "cpu"),
             &needs,
         );
-        if let Some((stage, label)) = &gpu {
-            capture(&mut group, stage, BenchmarkId::new(&name, label), &needs);
+        if let Some((loaded, label)) = gpu {
+            capture(&mut group, loaded, BenchmarkId::new(&name, label), &needs);
         }
     }
     group.finish();
 }
 
-fn capture<S: Stage>(group: &mut Group<'_>, stage: &S, id: BenchmarkId, needs: &Needs) {
+fn capture<S: BackendScene>(group: &mut Group<'_>, loaded: &S, id: BenchmarkId, needs: &Needs) {
     group.bench_function(id, |bencher| {
-        bencher.iter(|| stage.capture(needs).expect("a capture").1);
+        bencher.iter(|| loaded.capture(needs).expect("a capture").1);
     });
 }
 

@@ -2,7 +2,7 @@
 
 mod gpu;
 
-pub(crate) use gpu::{AVERAGE, Target, record_average};
+pub use gpu::{AVERAGE, Target, captured_radiance, record_average};
 
 use glam::{DVec3, Vec3};
 use interreflect_scene::CubeImage;
@@ -12,7 +12,7 @@ use interreflect_scene::conventions::{CUBE_FACES, texel_index};
 /// are the same.
 ///
 /// As [`interreflect_scene::conventions::texel_solid_angle_sr`], with each corner computed once.
-pub(crate) fn face_solid_angles_sr(size: u32) -> Vec<f32> {
+pub fn face_solid_angles_sr(size: u32) -> Vec<f32> {
     let n = size as usize;
     let edge = |i: usize| 2.0 * i as f64 / f64::from(size) - 1.0;
     let corner = |i: usize, j: usize| {
@@ -33,7 +33,7 @@ pub(crate) fn face_solid_angles_sr(size: u32) -> Vec<f32> {
 
 /// Captured texels (index on the face, index in the cube) on a face of `size`² that one of m×m
 /// texels covers. `size` is a multiple of `m`.
-pub(crate) fn covered(
+pub fn covered(
     m: u32,
     size: u32,
     face: usize,
@@ -52,7 +52,7 @@ pub(crate) fn covered(
 
 /// Mean radiance of one of m×m texels, weighted by the exact solid angles of what it covers:
 /// `omegas_sr` is [`face_solid_angles_sr`] of the captured size.
-pub(crate) fn mean_radiance(
+pub fn mean_radiance(
     captured: &CubeImage,
     omegas_sr: &[f32],
     m: u32,
@@ -71,7 +71,7 @@ pub(crate) fn mean_radiance(
 
 /// Mean radiance of all texels of a cube of `m`² a face, in the order of texel indices; weights as
 /// in [`mean_radiance`].
-pub(crate) fn averaged<'a>(
+pub fn averaged<'a>(
     captured: &'a CubeImage,
     omegas_sr: &'a [f32],
     m: u32,
@@ -81,7 +81,7 @@ pub(crate) fn averaged<'a>(
 }
 
 /// Face, column and row of every texel of a cube of `size`² a face, in the order of texel indices.
-pub(crate) fn cube_texels(size: u32) -> impl Iterator<Item = (usize, u32, u32)> {
+pub fn cube_texels(size: u32) -> impl Iterator<Item = (usize, u32, u32)> {
     (0..CUBE_FACES).flat_map(move |face| {
         (0..size).flat_map(move |row| (0..size).map(move |column| (face, column, row)))
     })

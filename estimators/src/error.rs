@@ -17,9 +17,6 @@ pub enum EstimatorError {
     /// The harness did not provide a declared capture.
     #[error("{0} was declared, but not captured")]
     Missing(String),
-    /// `shade` was called before `prepare`.
-    #[error("the session was asked to shade before it was prepared")]
-    Unprepared,
     /// A point can't be shaded.
     #[error(transparent)]
     Point(#[from] PointError),

@@ -3,15 +3,15 @@
 //! A method says what it is ([`Method`]) and how it runs on a backend ([`Estimator`]); the
 //! [`Registry`] erases its types. Add one by copying a folder and registering it.
 
-mod averaging;
+pub mod averaging;
 mod backend;
 mod claims;
 mod error;
 mod fields;
-mod kept;
+mod frame;
 #[cfg(test)]
 mod layout;
-mod lobes;
+pub mod lobes;
 mod method;
 mod model;
 mod quantity;
@@ -23,6 +23,7 @@ pub mod constant_ambient;
 pub mod convolution;
 pub mod direct_radiance_map;
 pub mod directional_ao;
+pub mod execution;
 pub mod localized_cubemap;
 pub mod path_reference;
 pub mod phong_envmap;
@@ -30,7 +31,6 @@ pub mod point_form_factor;
 pub mod polygon_form_factor;
 pub mod reflection;
 pub mod sh_mip_envmap;
-pub mod stage;
 pub mod texels;
 
 /// WGSL twin of [`interreflect_cpu::lane::Lane::lobe_power`].
@@ -39,11 +39,12 @@ const LOBE_POWER: &str = include_str!("lobe_power.wgsl");
 /// WGSL twin of [`interreflect_cpu::lane::Lane::angle`].
 const ANGLE: &str = include_str!("angle.wgsl");
 
-pub use backend::{Backend, Captures, Changed, Cpu, Gpu, Inputs, Seen};
+pub use backend::{Backend, Cpu, Gpu};
 pub use claims::{Answers, Claim, FormFactorLaw, PatchKernel};
 pub use error::{EstimatorError, Unsupported};
-pub use method::{Estimator, Info, Method};
+pub use frame::{Captures, Changed, Frame, Inputs, VisibleTriangles};
+pub use method::{Estimator, Info, Kernels, Method, Prepared};
 pub use model::OwnModel;
 pub use quantity::Quantity;
-pub use records::{Prepared, Records};
+pub use records::Records;
 pub use registry::{Configured, CpuOnly, Entry, Registry, Session, UnknownEstimator};

@@ -1,12 +1,13 @@
 //! The specular lobes among the shaded points.
 
-use crate::backend::{Backend, Changed, Inputs};
+use crate::backend::Backend;
 use crate::error::{EstimatorError, Unsupported};
+use crate::frame::{Changed, Inputs};
 use crate::quantity::Quantity;
 use glam::Vec3;
 
 /// Lobes that tables or filtered maps are kept for.
-pub(crate) const MAX_LOBES: usize = 8;
+pub const MAX_LOBES: usize = 8;
 
 /// What `of` makes of the Blinn–Phong exponents of points with a specular lobe, each once, ascending;
 /// none for quantities without one. `kept` are those of the session's last `prepare`: a list
@@ -14,13 +15,12 @@ pub(crate) const MAX_LOBES: usize = 8;
 ///
 /// # Errors
 /// [`Unsupported`] for more than [`MAX_LOBES`].
-pub(crate) fn lobes<B: Backend>(
-    quantity: Quantity,
+pub fn lobes<B: Backend>(
     inputs: &Inputs<'_, B>,
     kept: Option<Vec<f32>>,
     of: fn(f32) -> f32,
 ) -> Result<Vec<f32>, EstimatorError> {
-    if quantity != Quantity::GlossyRadiance {
+    if inputs.quantity != Quantity::GlossyRadiance {
         return Ok(Vec::new());
     }
     // An empty list may be that of another quantity.

@@ -1,11 +1,13 @@
 //! The traits that a method implements.
 
-use crate::backend::{Backend, Inputs};
+use crate::backend::{Backend, Gpu};
 use crate::claims::Claim;
 use crate::error::{EstimatorError, Unsupported};
+use crate::frame::Frame;
 use crate::model::OwnModel;
 use crate::quantity::Quantity;
-use interreflect_gpu::Shader;
+use crate::records::Records;
+use interreflect_gpu::{GpuContext, Kernel, Shader};
 use interreflect_scene::params::Params;
 use interreflect_scene::{Needs, SceneFacts};
 
@@ -20,10 +22,8 @@ pub struct Info {
     pub source: &'static str,
 }
 
-/// What the paper says, wherever it runs.
-pub trait Method: Send + Sync + 'static {
-    /// The method's parameters.
-    type Params: Params;
+/// What the paper says, wherever it runs: the parameters of a method, and what follows from them.
+pub trait Method: Params {
     /// What it is called.
     const INFO: Info;
     /// What it can estimate, its main quantity first.
@@ -33,23 +33,19 @@ pub trait Method: Send + Sync + 'static {
     ///
     /// # Errors
     /// [`Unsupported`] if it can't work there, with the reason.
-    fn needs(
-        params: &Self::Params,
-        quantity: Quantity,
-        scene: &SceneFacts,
-    ) -> Result<Needs, Unsupported>;
+    fn needs(&self, quantity: Quantity, scene: &SceneFacts) -> Result<Needs, Unsupported>;
 
     /// What it claims to compute.
-    fn model(params: &Self::Params, quantity: Quantity) -> OwnModel;
+    fn model(&self, quantity: Quantity) -> OwnModel;
 
     /// What holds for its estimates with these parameters: `verify` checks it.
-    fn claims(params: &Self::Params, quantity: Quantity) -> Vec<Claim>;
+    fn claims(&self, quantity: Quantity) -> Vec<Claim>;
 }
 
-/// How a method runs on a backend.
+/// How a method runs on a backend: captures are prepared, then points are shaded.
 pub trait Estimator<B: Backend>: Method {
-    /// What lives across frames: texel lists, maps, pipelines with their bindings.
-    type State: Default + Send;
+    /// What `prepare` makes: all that shading reads, and what the next frame can go on with.
+    type Prepared: Prepared<B>;
 
     /// Every shader that it runs on this backend: none on the CPU.
     const SHADERS: &'static [Shader] = &[];
@@ -58,35 +54,65 @@ pub trait Estimator<B: Backend>: Method {
     ///
     /// # Errors
     /// [`Unsupported`] with the reason if it can't.
-    fn supports(params: &Self::Params, caps: &B::Caps) -> Result<(), Unsupported> {
-        let (_, _) = (params, caps);
+    fn supports(&self, _caps: &B::Caps) -> Result<(), Unsupported> {
         Ok(())
     }
 
-    /// Turns captures into what shading needs. Called whenever something changed; all allocation
-    /// and binding happens here, of `out` too.
+    /// Turns captures into what shading needs. Called for the first frame and whenever something
+    /// changed, with what the session's last call returned; all allocation and binding happens here,
+    /// that of `frame.out` too.
     ///
     /// # Errors
     /// [`EstimatorError`] if a capture is undeclared or the backend refuses.
     fn prepare(
-        params: &Self::Params,
-        state: &mut Self::State,
-        cx: &mut B::Cx<'_>,
-        quantity: Quantity,
-        inputs: &Inputs<'_, B>,
-        out: &B::Out,
-    ) -> Result<(), EstimatorError>;
+        &self,
+        frame: &mut Frame<'_, B>,
+        last: Option<Self::Prepared>,
+    ) -> Result<Self::Prepared, EstimatorError>;
+}
 
+/// A method that is ready to shade.
+pub trait Prepared<B: Backend>: Send + 'static {
     /// Estimates the quantity at every point. Makes no buffer, binding or vector.
     ///
     /// # Errors
     /// [`EstimatorError`] if the backend refuses.
-    fn shade(
-        params: &Self::Params,
-        state: &mut Self::State,
-        cx: &mut B::Cx<'_>,
-        quantity: Quantity,
-        inputs: &Inputs<'_, B>,
-        out: &mut B::Out,
-    ) -> Result<(), EstimatorError>;
+    fn shade(&self, frame: &mut Frame<'_, B>) -> Result<(), EstimatorError>;
+
+    /// The numbers that shading reads, laid out as shaders read them, under the same names on both
+    /// backends: `verify` compares them.
+    ///
+    /// # Errors
+    /// [`EstimatorError`] if the device fails.
+    fn records(&self, _caps: &B::Caps) -> Result<Vec<Records>, EstimatorError> {
+        Ok(Vec::new())
+    }
+}
+
+/// A method whose shading on the GPU is one dispatch over all points, or several in a row.
+pub trait Kernels: Send + 'static {
+    /// The kernels, in the order in which they run.
+    fn kernels(&self) -> &[Kernel];
+
+    /// As [`Prepared::records`].
+    ///
+    /// # Errors
+    /// [`EstimatorError`] if the device fails.
+    fn records(&self, _context: &GpuContext) -> Result<Vec<Records>, EstimatorError> {
+        Ok(Vec::new())
+    }
+}
+
+impl<K: Kernels> Prepared<Gpu> for K {
+    fn shade(&self, frame: &mut Frame<'_, Gpu>) -> Result<(), EstimatorError> {
+        let workgroups = frame.points.workgroups();
+        for kernel in self.kernels() {
+            kernel.record(frame.cx, workgroups);
+        }
+        Ok(())
+    }
+
+    fn records(&self, context: &GpuContext) -> Result<Vec<Records>, EstimatorError> {
+        Kernels::records(self, context)
+    }
 }

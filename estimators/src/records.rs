@@ -1,6 +1,5 @@
 //! A look at what a session has prepared, for those who compare backends record by record.
 
-use crate::backend::Backend;
 use crate::error::EstimatorError;
 use bytemuck::Pod;
 use interreflect_gpu::GpuContext;
@@ -18,7 +17,7 @@ pub struct Records {
 
 impl Records {
     /// Records that lie on the host.
-    pub(crate) fn host<T: Pod>(name: &'static str, records: &[T]) -> Self {
+    pub fn host<T: Pod>(name: &'static str, records: &[T]) -> Self {
         Self {
             name,
             width: size_of::<T>() / size_of::<f32>(),
@@ -27,7 +26,7 @@ impl Records {
     }
 
     /// Records of type `T` in a buffer.
-    pub(crate) fn device<T: Pod>(
+    pub fn device<T: Pod>(
         name: &'static str,
         context: &GpuContext,
         buffer: &wgpu::Buffer,
@@ -40,13 +39,31 @@ impl Records {
     }
 
     /// The first `count` of them: a buffer may be longer than what it holds.
-    pub(crate) fn first(mut self, count: usize) -> Self {
+    pub fn first(mut self, count: usize) -> Self {
         self.values.truncate(count * self.width);
         self
     }
 
+    /// Bits, by words of 32: they are compared as they are, not as numbers.
+    pub fn bits(name: &'static str, words: Vec<u32>) -> Self {
+        Self {
+            name,
+            width: 1,
+            values: bytemuck::cast_vec(words),
+        }
+    }
+
+    /// A count, which has to be below 2²⁴ to be exact.
+    pub fn count(name: &'static str, count: u64) -> Self {
+        Self {
+            name,
+            width: 1,
+            values: vec![count as f32],
+        }
+    }
+
     /// Those that are not 0 throughout.
-    pub(crate) fn without_zeros(self) -> Self {
+    pub fn without_zeros(self) -> Self {
         let records = self.values.chunks_exact(self.width);
         let written = records.filter(|record| record.iter().any(|v| *v != 0.0));
         Self {
@@ -54,13 +71,4 @@ impl Records {
             ..self
         }
     }
-}
-
-/// The state of a session that can be looked at.
-pub trait Prepared<B: Backend> {
-    /// All that shading reads; nothing before `prepare` has run.
-    ///
-    /// # Errors
-    /// [`EstimatorError`] if the device fails.
-    fn records(&self, caps: &B::Caps) -> Result<Vec<Records>, EstimatorError>;
 }

@@ -2,10 +2,11 @@
 //!
 //! Longer than most: what is called without its type, and what calls it with its type, are read side by side.
 
-use crate::backend::{Backend, Cpu, Gpu, Inputs};
+use crate::backend::{Backend, Cpu, Gpu};
 use crate::claims::Claim;
 use crate::error::{EstimatorError, Unsupported};
-use crate::method::{Estimator, Info, Method};
+use crate::frame::Frame;
+use crate::method::{Estimator, Info, Method, Prepared};
 use crate::model::OwnModel;
 use crate::quantity::Quantity;
 use interreflect_gpu::{GpuContext, Shader};
@@ -68,75 +69,50 @@ pub trait Configured: Send + Sync {
     }
 }
 
-/// A method that runs on one backend, with its state.
+/// A method that runs on one backend, with what it keeps from frame to frame.
 pub trait Session<B: Backend>: Send {
-    /// See [`Estimator::prepare`].
+    /// See [`Estimator::prepare`]. After an error nothing is left of earlier frames.
     ///
     /// # Errors
     /// [`EstimatorError`] as there.
-    fn prepare(
-        &mut self,
-        cx: &mut B::Cx<'_>,
-        quantity: Quantity,
-        inputs: &Inputs<'_, B>,
-        out: &B::Out,
-    ) -> Result<(), EstimatorError>;
+    fn prepare(&mut self, frame: &mut Frame<'_, B>) -> Result<(), EstimatorError>;
 
-    /// See [`Estimator::shade`].
-    ///
-    /// # Errors
-    /// [`EstimatorError`] as there.
-    fn shade(
-        &mut self,
-        cx: &mut B::Cx<'_>,
-        quantity: Quantity,
-        inputs: &Inputs<'_, B>,
-        out: &mut B::Out,
-    ) -> Result<(), EstimatorError>;
+    /// What the last `prepare` made; `None` before the first, and after an error.
+    fn prepared(&self) -> Option<&dyn Prepared<B>>;
 }
 
 struct Running<M: Estimator<B>, B: Backend> {
-    params: M::Params,
-    state: M::State,
+    method: M,
+    prepared: Option<M::Prepared>,
 }
 
 impl<M: Estimator<B>, B: Backend> Running<M, B> {
-    fn open(params: M::Params, caps: &B::Caps) -> Result<Box<dyn Session<B>>, Unsupported> {
-        M::supports(&params, caps)?;
+    fn open(method: M, caps: &B::Caps) -> Result<Box<dyn Session<B>>, Unsupported> {
+        method.supports(caps)?;
         Ok(Box::new(Self {
-            params,
-            state: M::State::default(),
+            method,
+            prepared: None,
         }))
     }
 }
 
 impl<M: Estimator<B>, B: Backend> Session<B> for Running<M, B> {
-    fn prepare(
-        &mut self,
-        cx: &mut B::Cx<'_>,
-        quantity: Quantity,
-        inputs: &Inputs<'_, B>,
-        out: &B::Out,
-    ) -> Result<(), EstimatorError> {
-        M::prepare(&self.params, &mut self.state, cx, quantity, inputs, out)
+    fn prepare(&mut self, frame: &mut Frame<'_, B>) -> Result<(), EstimatorError> {
+        let last = self.prepared.take();
+        self.prepared = Some(self.method.prepare(frame, last)?);
+        Ok(())
     }
 
-    fn shade(
-        &mut self,
-        cx: &mut B::Cx<'_>,
-        quantity: Quantity,
-        inputs: &Inputs<'_, B>,
-        out: &mut B::Out,
-    ) -> Result<(), EstimatorError> {
-        M::shade(&self.params, &mut self.state, cx, quantity, inputs, out)
+    fn prepared(&self) -> Option<&dyn Prepared<B>> {
+        let prepared = self.prepared.as_ref();
+        prepared.map(|prepared| prepared as &dyn Prepared<B>)
     }
 }
 
-type Open<M, B> =
-    fn(<M as Method>::Params, &<B as Backend>::Caps) -> Result<Box<dyn Session<B>>, Unsupported>;
+type Open<M, B> = fn(M, &<B as Backend>::Caps) -> Result<Box<dyn Session<B>>, Unsupported>;
 
-struct Typed<M: Method> {
-    params: M::Params,
+struct Typed<M> {
+    method: M,
     cpu: Result<Open<M, Cpu>, &'static str>,
     gpu: Result<Open<M, Gpu>, &'static str>,
 }
@@ -149,10 +125,10 @@ impl<M: Method> Configured for Typed<M> {
         M::QUANTITIES
     }
     fn values(&self) -> Vec<(FieldInfo, Value)> {
-        params::values(&self.params)
+        params::values(&self.method)
     }
     fn set(&mut self, name: &str, text: &str) -> Result<(), ParamError> {
-        params::set(&mut self.params, name, text)
+        params::set(&mut self.method, name, text)
     }
     fn needs(&self, quantity: Quantity, scene: &SceneFacts) -> Result<Needs, Unsupported> {
         if !M::QUANTITIES.contains(&quantity) {
@@ -164,25 +140,25 @@ impl<M: Method> Configured for Typed<M> {
                 offered.join(", ")
             )));
         }
-        M::needs(&self.params, quantity, scene)
+        self.method.needs(quantity, scene)
     }
     fn model(&self, quantity: Quantity) -> OwnModel {
-        M::model(&self.params, quantity)
+        self.method.model(quantity)
     }
     fn claims(&self, quantity: Quantity) -> Vec<Claim> {
-        M::claims(&self.params, quantity)
+        self.method.claims(quantity)
     }
     fn on_cpu(&self) -> Result<Box<dyn Session<Cpu>>, Unsupported> {
         let open = self.cpu.map_err(|why| Unsupported(why.into()))?;
-        open(self.params.clone(), &())
+        open(self.method.clone(), &())
     }
     fn on_gpu(&self, context: &GpuContext) -> Result<Box<dyn Session<Gpu>>, Unsupported> {
         let open = self.gpu.map_err(|why| Unsupported(why.into()))?;
-        open(self.params.clone(), context)
+        open(self.method.clone(), context)
     }
     fn boxed_clone(&self) -> Box<dyn Configured> {
         Box::new(Self {
-            params: self.params.clone(),
+            method: self.method.clone(),
             ..*self
         })
     }
@@ -206,7 +182,7 @@ impl Entry {
             shaders: <M as Estimator<Gpu>>::SHADERS,
             make: || {
                 Box::new(Typed::<M> {
-                    params: M::Params::default(),
+                    method: M::default(),
                     cpu: Ok(Running::<M, Cpu>::open),
                     gpu: Ok(Running::<M, Gpu>::open),
                 })
@@ -222,7 +198,7 @@ impl Entry {
             shaders: &[],
             make: || {
                 Box::new(Typed::<M> {
-                    params: M::Params::default(),
+                    method: M::default(),
                     cpu: Ok(Running::<M, Cpu>::open),
                     gpu: Err(M::NO_GPU),
                 })

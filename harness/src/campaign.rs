@@ -24,20 +24,18 @@ use crate::clock::{Pulse, Sampling};
 use crate::commands::reference_stop;
 use crate::error::HarnessError;
 use crate::gallery::Gallery;
-use crate::lab::Lab;
+use crate::lab::{GpuUse, Lab};
 use crate::progress;
-use crate::record::{Backend, Results, Run};
-use crate::stages::Stages;
+use crate::record::{Results, Run};
 use crate::truth::{Cache, References};
 use crate::view::View;
 use cell::Cell;
 use interreflect_cpu::path_tracer::Stop;
-use interreflect_cpu::scene::CpuScene;
 use interreflect_cpu::tiles::CpuCx;
 use interreflect_estimators::Quantity;
+use interreflect_estimators::execution::LoadedScene;
 use interreflect_scene::digest;
 use std::path::PathBuf;
-use std::sync::Arc;
 use tasks::Task;
 
 /// How a campaign is carried out.
@@ -86,8 +84,7 @@ struct Opened<'a> {
     /// The scene's digest.
     hash: &'a str,
     cx: &'a CpuCx,
-    scene: Arc<CpuScene>,
-    stages: Stages<'a>,
+    loaded: LoadedScene,
     view: View,
 }
 
@@ -187,20 +184,20 @@ impl<'a> Campaign<'a> {
         hash: &'c str,
         cx: &'c CpuCx,
     ) -> Result<Opened<'c>, HarnessError> {
-        let gpu = self.plan.backends.contains(&Backend::Gpu);
+        let gpu = GpuUse::where_listed(self.plan.backends);
         let options = &self.plan.scene_options;
         let loaded = self
             .lab
             .load(&setup.source, options, &setup.settings, gpu)?;
-        let camera = loaded.cpu.scene().camera;
+        let camera = loaded.scene().camera;
         let count = setup.run.points as usize;
-        let view = cx.install(|| View::of_about(&loaded.cpu, &camera, count))?;
+        let host = &loaded.cpu().scene;
+        let view = cx.install(|| View::of_about(host, &camera, count))?;
         Ok(Opened {
             setup,
             hash,
             cx,
-            scene: loaded.cpu.clone(),
-            stages: Stages::new(cx, loaded),
+            loaded,
             view,
         })
     }
@@ -217,10 +214,10 @@ impl<'a> Campaign<'a> {
             setup,
             hash,
             cx,
-            scene,
-            stages,
+            loaded,
             view,
         } = opened;
+        let scene = &loaded.cpu().scene;
         let bar = progress::bar("path tracing", todo.len() as u64);
         let points = view.points(quantity.layout());
         let cache = self.settings.references.as_ref().map(|folder| {
@@ -243,8 +240,7 @@ impl<'a> Campaign<'a> {
             setup,
             quantity,
             cx,
-            scene: scene.clone(),
-            stages,
+            loaded,
             view,
             points: points.clone(),
             references: references(stop),

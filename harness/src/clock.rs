@@ -8,7 +8,7 @@ mod trend;
 pub use pulse::Pulse;
 
 use crate::record::{Fallback, TimeSource, Timing};
-use interreflect_estimators::stage::Elapsed;
+use interreflect_estimators::execution::Elapsed;
 use spread::{interval, quantum};
 
 /// How often a phase is timed.

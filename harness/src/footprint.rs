@@ -1,7 +1,7 @@
 //! Bytes that a step of the work leaves behind.
 
 use cap::Cap;
-use interreflect_estimators::stage::Stage;
+use interreflect_estimators::execution::BackendScene;
 use std::alloc::System;
 
 /// Counts what the program's host memory holds.
@@ -15,15 +15,15 @@ pub(crate) struct Footprint {
 
 impl Footprint {
     /// As it is now.
-    pub(crate) fn of<S: Stage>(stage: &S) -> Self {
+    pub(crate) fn of<S: BackendScene>(scene: &S) -> Self {
         Self {
-            before: stage.made_bytes(),
+            before: scene.made_bytes(),
         }
     }
 
     /// Bytes that were made on the device since the last look; 0 where all is on the host.
-    pub(crate) fn more<S: Stage>(&mut self, stage: &S) -> u64 {
-        let now = stage.made_bytes();
+    pub(crate) fn more<S: BackendScene>(&mut self, scene: &S) -> u64 {
+        let now = scene.made_bytes();
         let more = self.before.zip(now).map_or(0, |(before, now)| now - before);
         self.before = now;
         more

@@ -2,24 +2,25 @@
 
 use crate::error::HarnessError;
 use crate::metrics::check_finite;
-use interreflect_estimators::stage::{Placed, Stage};
-use interreflect_estimators::{
-    Backend, Captures, Changed, Configured, Inputs, Quantity, Seen, Session,
-};
+use interreflect_estimators::execution::{BackendScene, Executor, Suspended};
+use interreflect_estimators::{Backend, Changed, Configured, Quantity, VisibleTriangles};
 use interreflect_scene::motion::Moves;
 use interreflect_scene::{Estimate, Points, Scene};
 
-/// A session and its last frame.
-pub struct Frames<B: Backend> {
-    session: Box<dyn Session<B>>,
-    last: Option<Last<B>>,
-}
+/// A session, which lives on from frame to frame, and its last frame; neither before the first.
+pub struct Frames<B: Backend>(Option<Last<B>>);
 
 struct Last<B: Backend> {
+    /// With captures that are good as long as the scene stays as it is.
+    session: Suspended<B>,
     points: Points,
-    /// Good as long as the scene stays as it is.
-    captures: Captures<B>,
     ms: f64,
+}
+
+impl<B: Backend> Default for Frames<B> {
+    fn default() -> Self {
+        Self(None)
+    }
 }
 
 /// What a frame shows.
@@ -31,7 +32,7 @@ pub struct Frame<'a> {
     /// The points.
     pub points: &'a Points,
     /// What the camera sees of them, where they are vertices.
-    pub seen: Option<Seen<'a>>,
+    pub visible: Option<VisibleTriangles<'a>>,
 }
 
 /// A frame's estimate and the milliseconds that it took.
@@ -43,74 +44,53 @@ pub struct Shaded {
 }
 
 impl<B: Backend> Frames<B> {
-    /// A session of a method before its first frame.
-    ///
-    /// # Errors
-    /// [`HarnessError`] if the method has no implementation on the backend.
-    pub fn new<S: Stage<Backend = B>>(
-        stage: &S,
-        method: &dyn Configured,
-    ) -> Result<Self, HarnessError> {
-        let session = stage.open(method)?;
-        Ok(Self {
-            session,
-            last: None,
-        })
-    }
-
-    /// Runs the next frame on `stage`, the scene at its time.
+    /// Runs the next frame, `scene` at its time.
     ///
     /// # Errors
     /// [`HarnessError`] if the method can't run there, or estimates a number that is not finite.
-    pub fn next<S: Stage<Backend = B>>(
+    pub fn next(
         &mut self,
-        stage: &S,
+        scene: &B::Scene,
         method: &dyn Configured,
         quantity: Quantity,
         frame: &Frame<'_>,
     ) -> Result<Shaded, HarnessError> {
-        let (scene, points) = (frame.scene, frame.points);
-        let facts = scene.facts();
-        let needs = method.needs(quantity, &facts)?;
+        let points = frame.points;
         let changed = self.changed(frame);
-        let last_frame_ms = self.last.as_ref().map(|last| last.ms);
-        let kept = self.last.take().filter(|_| !changed.any(Changed::SCENE));
-        let (captures, capture_ms) = match kept {
-            Some(last) => (last.captures, 0.0),
-            None => {
-                stage.solve(&needs)?;
-                let (captures, elapsed) = stage.capture(&needs)?;
-                (captures, elapsed.ms())
+        let last = self.0.take();
+        let last_frame_ms = last.as_ref().map(|last| last.ms);
+        let mut executor = match last {
+            None => scene.executor(method, quantity, points)?,
+            Some(Last { session, .. }) => {
+                let session = match changed.any(Changed::SCENE) {
+                    true => session.without_captures(),
+                    false => session,
+                };
+                Executor::resume(scene, method, quantity, points, session)?
             }
         };
-        let Placed {
-            points: placed,
-            mut out,
-        } = stage.place(points)?;
-        let origin = (facts, scene.capture_origin(needs.keep_within_m));
-        let mut inputs = Inputs::new(&needs, &captures, &placed, points, origin, changed);
-        inputs.seen = frame.seen;
-        inputs.last_frame_ms = last_frame_ms;
-        let session = &mut self.session;
-        let prepare = stage.timed("prepare", &mut |cx| {
-            session.prepare(cx, quantity, &inputs, &out)
-        })?;
-        let shade = stage.timed("shade", &mut |cx| {
-            session.shade(cx, quantity, &inputs, &mut out)
-        })?;
-        let estimate = stage.read_back(&out)?.0;
+        let capture_ms = match executor.has_captures() {
+            true => 0.0,
+            false => {
+                executor.solve()?;
+                executor.capture()?.ms()
+            }
+        };
+        executor.set_visible(frame.visible);
+        executor.set_last_frame_ms(last_frame_ms);
+        let ms = capture_ms + executor.prepare(changed)?.ms() + executor.shade()?.ms();
+        let estimate = executor.read_back()?.0;
         check_finite(method.info().id, &estimate, Some(points))?;
-        let ms = capture_ms + prepare.ms() + shade.ms();
-        self.last = Some(Last {
+        self.0 = Some(Last {
+            session: executor.suspend(),
             points: points.clone(),
-            captures,
             ms,
         });
         Ok(Shaded { estimate, ms })
     }
 
     fn changed(&self, frame: &Frame<'_>) -> Changed {
-        let Some(last) = &self.last else {
+        let Some(last) = &self.0 else {
             return Changed::ALL;
         };
         let moves = frame.moves;

@@ -3,10 +3,11 @@
 use crate::cli::{RunOptions, SceneOptions, Setting};
 use crate::error::HarnessError;
 use crate::machine::{Adapter, Machine};
-use interreflect_cpu::scene::CpuScene;
+use crate::record::Backend;
 use interreflect_cpu::tiles::CpuCx;
+use interreflect_estimators::execution::LoadedScene;
 use interreflect_estimators::{Configured, Registry};
-use interreflect_gpu::{GpuContext, GpuError, GpuScene};
+use interreflect_gpu::{GpuContext, GpuError};
 use interreflect_scene::Scene;
 use interreflect_scene::load::{SceneRequest, open};
 use std::sync::{Arc, OnceLock};
@@ -24,12 +25,33 @@ pub struct Lab {
     gpu: OnceLock<Result<Arc<GpuContext>, GpuError>>,
 }
 
-/// A scene on the backends.
-pub struct Loaded {
-    /// On the CPU; it also traces the truth.
-    pub cpu: Arc<CpuScene>,
-    /// On the GPU, or why not. `None` if it was not asked for.
-    pub gpu: Option<Result<(Arc<GpuContext>, GpuScene), GpuError>>,
+/// Whether a scene is loaded on the GPU too.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum GpuUse {
+    /// Not at all.
+    No,
+    /// If there is one; else what runs there says why it can't.
+    IfThere,
+    /// It has to be there.
+    Required,
+}
+
+impl GpuUse {
+    /// If the GPU is one of these backends and there is one.
+    pub fn where_listed(backends: &[Backend]) -> Self {
+        match backends.contains(&Backend::Gpu) {
+            true => Self::IfThere,
+            false => Self::No,
+        }
+    }
+
+    /// If the GPU is one of these backends, it has to be there.
+    pub fn required_in(backends: &[Backend]) -> Self {
+        match backends.contains(&Backend::Gpu) {
+            true => Self::Required,
+            false => Self::No,
+        }
+    }
 }
 
 impl Lab {
@@ -91,14 +113,14 @@ impl Lab {
     /// Opens a scene on the CPU and, if asked for, on the GPU.
     ///
     /// # Errors
-    /// [`HarnessError`] if the scene can't be used. A missing GPU is left in the result.
+    /// [`HarnessError`] if the scene can't be used, or if a GPU is required and not there.
     pub fn load(
         &self,
         source: &str,
         options: &SceneOptions,
         settings: &[Setting],
-        on_gpu: bool,
-    ) -> Result<Loaded, HarnessError> {
+        gpu: GpuUse,
+    ) -> Result<LoadedScene, HarnessError> {
         let scene = self.scene(source, options, settings)?;
         let facts = scene.facts();
         if !(facts.environment || facts.emitters || facts.lights > 0) {
@@ -107,20 +129,20 @@ impl Lab {
                 scene.name
             );
         }
-        self.set_up(&scene, on_gpu)
+        self.set_up(&scene, gpu)
     }
 
-    /// Sets up an opened scene on the CPU and, if asked for, on the GPU.
+    /// Loads an opened scene on the CPU and, if asked for, on the GPU.
     ///
     /// # Errors
-    /// [`HarnessError`] if the CPU can't use it. A missing GPU is left in the result.
-    pub fn set_up(&self, scene: &Scene, on_gpu: bool) -> Result<Loaded, HarnessError> {
-        let cpu = Arc::new(self.cpu.install(|| CpuScene::new(scene))?);
-        let gpu = on_gpu.then(|| {
-            let context = self.gpu()?;
-            Ok((context.clone(), GpuScene::new(context, scene)?))
-        });
-        Ok(Loaded { cpu, gpu })
+    /// [`HarnessError`] if it can't be used, or if a GPU is required and not there.
+    pub fn set_up(&self, scene: &Scene, gpu: GpuUse) -> Result<LoadedScene, HarnessError> {
+        let loaded = LoadedScene::new(&self.cpu, scene)?;
+        match gpu {
+            GpuUse::No => Ok(loaded),
+            GpuUse::Required => Ok(loaded.with_gpu(self.gpu()?)?),
+            GpuUse::IfThere => Ok(loaded.with_gpu_if_there(self.gpu())),
+        }
     }
 
     /// Opens a scene.
@@ -235,19 +257,6 @@ impl Lab {
 
 /// Name of the parameter that `--seed` sets, in every method that has it.
 const SEED: &str = "seed";
-
-impl Loaded {
-    /// The scene, if it is on the GPU or need not be.
-    ///
-    /// # Errors
-    /// [`GpuError`] if it was asked for there and can't be had.
-    pub fn complete(self) -> Result<Self, GpuError> {
-        match self.gpu {
-            Some(Err(error)) => Err(error),
-            gpu => Ok(Self { gpu, ..self }),
-        }
-    }
-}
 
 /// Qualifier of settings that are meant for the scene.
 pub(crate) const SCENE: &str = "scene";

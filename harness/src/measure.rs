@@ -5,9 +5,9 @@ use crate::error::HarnessError;
 use crate::footprint::{Footprint, freed};
 use crate::metrics::check_finite;
 use crate::record::{Bytes, Phases, Timing};
-use interreflect_estimators::stage::{Elapsed, Placed, Stage};
-use interreflect_estimators::{Backend, Changed, Configured, EstimatorError, Inputs, Quantity};
-use interreflect_scene::{Estimate, Needs, Points, Scene};
+use interreflect_estimators::execution::{BackendScene, Elapsed, Executor};
+use interreflect_estimators::{Backend, Changed, Configured, EstimatorError, Quantity};
+use interreflect_scene::{Estimate, Needs, Points};
 use std::time::Instant;
 
 /// An estimate, the time that it took, and the memory.
@@ -27,36 +27,24 @@ pub struct Measured {
 ///
 /// # Errors
 /// [`HarnessError`] if the method can't run here, or estimates a number that is not finite.
-pub fn measure<S: Stage>(
-    stage: &S,
-    scene: &Scene,
+pub fn measure<S: BackendScene>(
+    scene: &S,
     method: &dyn Configured,
     quantity: Quantity,
     points: &Points,
     sampling: &Sampling,
 ) -> Result<Measured, HarnessError> {
-    let facts = scene.facts();
-    let needs = method.needs(quantity, &facts)?;
-    let mut session = stage.open(method)?;
-    let mut watch = Watch::new(stage, sampling);
-    let Placed {
-        points: placed,
-        mut out,
-    } = stage.place(points)?;
+    let mut executor = scene.executor(method, quantity, points)?;
+    let mut watch = Watch::new(scene, sampling);
 
-    let solve_ms = stage.solve(&needs)?;
-    let first = watch.first(|| stage.capture(&needs))?;
-    let made_bytes = first.bytes;
-    let (captures, elapsed) = first.value;
+    let solve_ms = executor.solve()?;
+    let captured = watch.first(|| executor.capture())?;
+    let made_bytes = captured.bytes;
     // Captures that are kept were made before this frame: neither they nor their pipelines cost it.
-    let kept = scene.keeps_captures(needs.keep_within_m);
-    let capture = match kept || needs.no_captures() {
+    let kept = executor.keeps_captures();
+    let capture = match kept || executor.needs().no_captures() {
         true => None,
-        false => watch.again(elapsed, first.compiled_ms, || Ok(stage.capture(&needs)?.1))?,
-    };
-    let inputs = |changed| {
-        let origin = (facts, scene.capture_origin(needs.keep_within_m));
-        Inputs::new(&needs, &captures, &placed, points, origin, changed)
+        false => watch.again(captured.value, captured.compiled_ms, || executor.capture())?,
     };
     // Later frames see new captures, or new points where captures are kept: that is what prepare
     // costs again and again.
@@ -65,33 +53,22 @@ pub fn measure<S: Stage>(
     } else {
         Changed::SCENE
     };
-    let (first, again) = (inputs(Changed::ALL), inputs(later));
-    let mut prepare = |inputs: &Inputs<'_, S::Backend>| {
-        stage.timed("prepare", &mut |cx| {
-            session.prepare(cx, quantity, inputs, &out)
-        })
-    };
-    let prepared = watch.first(|| prepare(&first))?;
-    let prepare = watch.again(prepared.value, prepared.compiled_ms, || prepare(&again))?;
-    let mut shade = || {
-        stage.timed("shade", &mut |cx| {
-            session.shade(cx, quantity, &first, &mut out)
-        })
-    };
-    let shaded = watch.first(&mut shade)?;
-    let shade = watch.again(shaded.value, shaded.compiled_ms, shade)?;
+    let prepared = watch.first(|| executor.prepare(Changed::ALL))?;
+    let prepare = watch.again(prepared.value, prepared.compiled_ms, || {
+        executor.prepare(later)
+    })?;
+    let shaded = watch.first(|| executor.shade())?;
+    let shade = watch.again(shaded.value, shaded.compiled_ms, || executor.shade())?;
     let compile = watch.compiled_ms;
-    let (estimate, readback) = read_back(stage, &out, sampling)?;
-    let made = prepared.bytes + shaded.bytes;
-    let kept_bytes = freed(session);
-    let own = stage.made_bytes().map_or(kept_bytes, |_| made);
-    let points_bytes = (points.bytes() + estimate.bytes()) as u64;
+    let (estimate, readback) = read_back(&executor, sampling)?;
     check_finite(method.info().id, &estimate, Some(points))?;
 
-    let unread = unread(&needs, [first.read(), again.read()]);
+    let unread = executor.unread();
+    let host_bytes = scene.host_bytes(&*executor.captures()?);
+    let made = prepared.bytes + shaded.bytes;
+    let kept_bytes = freed(executor.into_session());
     let once = |ms: Option<f64>| ms.and_then(|ms| Timing::of(&[ms]));
     Ok(Measured {
-        estimate,
         phases: Phases {
             solve: once(solve_ms),
             capture,
@@ -101,40 +78,26 @@ pub fn measure<S: Stage>(
             readback,
         },
         bytes: Bytes {
-            captures: stage.host_bytes(&captures).unwrap_or(made_bytes),
-            own,
-            points: points_bytes,
+            captures: host_bytes.unwrap_or(made_bytes),
+            own: scene.made_bytes().map_or(kept_bytes, |_| made),
+            points: (points.bytes() + estimate.bytes()) as u64,
         },
+        estimate,
         unread,
     })
 }
 
-/// What was declared and never read.
-fn unread(needs: &Needs, read: [Needs; 2]) -> Needs {
-    let [first, again] = &read;
-    Needs {
-        cubes: &(&needs.cubes - &first.cubes) - &again.cubes,
-        light_views: &(&needs.light_views - &first.light_views) - &again.light_views,
-        directional_depths: &(&needs.directional_depths - &first.directional_depths)
-            - &again.directional_depths,
-        environment: needs.environment && !first.environment,
-        light_transport: needs.light_transport && !read[0].light_transport,
-        ..Needs::default()
-    }
-}
-
-fn read_back<S: Stage>(
-    stage: &S,
-    out: &<S::Backend as Backend>::Out,
+fn read_back<B: Backend>(
+    executor: &Executor<'_, B>,
     sampling: &Sampling,
 ) -> Result<(Estimate, Option<Timing>), HarnessError> {
     let start = Instant::now();
-    let (estimate, Some(_)) = stage.read_back(out)? else {
-        return Ok((stage.read_back(out)?.0, None));
+    let (estimate, Some(_)) = executor.read_back()? else {
+        return Ok((executor.read_back()?.0, None));
     };
     let times = sampling.repeat(Elapsed::since(start), || {
         let start = Instant::now();
-        stage.read_back(out)?;
+        executor.read_back()?;
         Ok::<_, EstimatorError>(Elapsed::since(start))
     })?;
     Ok((estimate, sampling.timing(&times)))
@@ -142,7 +105,7 @@ fn read_back<S: Stage>(
 
 /// Runs phases, and counts what they compile and keep.
 struct Watch<'a, S> {
-    stage: &'a S,
+    scene: &'a S,
     sampling: &'a Sampling,
     footprint: Footprint,
     /// What the pipeline cache reports and the excess of each phase's first run; `None` where nothing is
@@ -159,12 +122,12 @@ struct First<T> {
     bytes: u64,
 }
 
-impl<'a, S: Stage> Watch<'a, S> {
-    fn new(stage: &'a S, sampling: &'a Sampling) -> Self {
+impl<'a, S: BackendScene> Watch<'a, S> {
+    fn new(scene: &'a S, sampling: &'a Sampling) -> Self {
         Self {
-            stage,
+            scene,
             sampling,
-            footprint: Footprint::of(stage),
+            footprint: Footprint::of(scene),
             compiled_ms: None,
         }
     }
@@ -173,13 +136,13 @@ impl<'a, S: Stage> Watch<'a, S> {
         &mut self,
         phase: impl FnOnce() -> Result<T, EstimatorError>,
     ) -> Result<First<T>, EstimatorError> {
-        let before = self.stage.compiled_ms();
-        self.footprint.more(self.stage);
+        let before = self.scene.compiled_ms();
+        self.footprint.more(self.scene);
         let value = phase()?;
         Ok(First {
             value,
-            compiled_ms: before.zip(self.stage.compiled_ms()).map(|(b, a)| a - b),
-            bytes: self.footprint.more(self.stage),
+            compiled_ms: before.zip(self.scene.compiled_ms()).map(|(b, a)| a - b),
+            bytes: self.footprint.more(self.scene),
         })
     }
 

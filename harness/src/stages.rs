@@ -1,27 +1,19 @@
-//! A scene on the backends that there are, and a method measured on the one that is asked for.
+//! A method on the backend that is asked for: measured, frame by frame, or its captures alone.
 
 use crate::clock::Sampling;
 use crate::error::HarnessError;
 use crate::frames::{Frame, Frames, Shaded};
-use crate::lab::Loaded;
 use crate::measure::{Measured, measure};
 use crate::record::Backend;
-use interreflect_cpu::tiles::CpuCx;
-use interreflect_estimators::stage::{CpuStage, GpuStage, Stage};
-use interreflect_estimators::{Configured, Cpu, Gpu, Quantity, Unsupported};
+use interreflect_estimators::execution::{BackendScene, LoadedScene};
+use interreflect_estimators::{Configured, Cpu, Gpu, Quantity};
 use interreflect_scene::{LightViewImage, Needs, Points};
 
-/// A scene on each backend.
-pub struct Stages<'a> {
-    cpu: CpuStage<'a>,
-    gpu: Result<GpuStage<'a>, Unsupported>,
-}
-
-/// A sequence on each backend, begun where its first frame was asked for.
+/// A sequence of frames on each backend, begun where its first frame was asked for.
 #[derive(Default)]
-pub struct Running {
-    cpu: Option<Frames<Cpu>>,
-    gpu: Option<Frames<Gpu>>,
+pub struct Sequence {
+    cpu: Frames<Cpu>,
+    gpu: Frames<Gpu>,
 }
 
 /// A measurement with what its times mean.
@@ -32,105 +24,75 @@ pub struct Timed {
     pub software: bool,
 }
 
-impl<'a> Stages<'a> {
-    /// Takes over a loaded scene; a GPU that is not there is found out when it is asked for.
-    pub fn new(cx: &'a CpuCx, loaded: Loaded) -> Self {
-        let cpu = CpuStage {
-            cx,
-            scene: loaded.cpu,
-        };
-        let gpu = match loaded.gpu {
-            Some(Ok((context, scene))) => Ok(GpuStage::new(context, scene, cpu.clone())),
-            Some(Err(error)) => Err(Unsupported(error.to_string())),
-            None => Err(Unsupported("the GPU was not asked for".into())),
-        };
-        Self { cpu, gpu }
-    }
-
-    /// The views from the lights that are needed, as images on the host.
-    ///
-    /// # Errors
-    /// [`HarnessError`] if they can't be captured, or if there is no GPU.
-    pub fn light_views(
-        &self,
-        backend: Backend,
-        needs: &Needs,
-    ) -> Result<Vec<LightViewImage>, HarnessError> {
-        match backend {
-            Backend::Cpu => {
-                let captures = self.cpu.capture(needs)?.0;
-                Ok(captures.light_views.into_values().collect())
-            }
-            Backend::Gpu => {
-                let stage = self.gpu.as_ref().map_err(Clone::clone)?;
-                let captures = stage.capture(needs)?.0;
-                let views = captures.light_views.values();
-                let images = views.map(|views| views.download(&stage.context));
-                Ok(images.collect::<Result<_, _>>()?)
-            }
-        }
-    }
-
-    /// Runs the next frame of a sequence on a backend.
-    ///
-    /// # Errors
-    /// [`HarnessError`] as [`Frames::next`], or if there is no GPU.
-    pub fn next_frame(
-        &self,
-        backend: Backend,
-        running: &mut Running,
-        method: &dyn Configured,
-        quantity: Quantity,
-        frame: &Frame<'_>,
-    ) -> Result<Shaded, HarnessError> {
-        match backend {
-            Backend::Cpu => next(&self.cpu, &mut running.cpu, method, quantity, frame),
-            Backend::Gpu => {
-                let stage = self.gpu.as_ref().map_err(Clone::clone)?;
-                next(stage, &mut running.gpu, method, quantity, frame)
-            }
-        }
-    }
-
-    /// Runs a method as [`measure`] does.
-    ///
-    /// # Errors
-    /// [`HarnessError`] as there, or if there is no GPU.
-    pub fn measure(
-        &self,
-        backend: Backend,
-        method: &dyn Configured,
-        quantity: Quantity,
-        points: &Points,
-        sampling: &Sampling,
-    ) -> Result<Timed, HarnessError> {
-        let scene = self.cpu.scene.scene();
-        match backend {
-            Backend::Cpu => Ok(Timed {
-                measured: measure(&self.cpu, scene, method, quantity, points, sampling)?,
-                software: false,
-            }),
-            Backend::Gpu => {
-                let stage = self.gpu.as_ref().map_err(Clone::clone)?;
-                Ok(Timed {
-                    measured: measure(stage, scene, method, quantity, points, sampling)?,
-                    software: stage.context.info().software,
-                })
-            }
+/// Runs a method as [`measure`] does.
+///
+/// # Errors
+/// [`HarnessError`] as there, or if the scene is not on that backend.
+pub fn measure_on(
+    scene: &LoadedScene,
+    backend: Backend,
+    method: &dyn Configured,
+    quantity: Quantity,
+    points: &Points,
+    sampling: &Sampling,
+) -> Result<Timed, HarnessError> {
+    match backend {
+        Backend::Cpu => Ok(Timed {
+            measured: measure(scene.on::<Cpu>()?, method, quantity, points, sampling)?,
+            software: false,
+        }),
+        Backend::Gpu => {
+            let side = scene.on::<Gpu>()?;
+            Ok(Timed {
+                measured: measure(side, method, quantity, points, sampling)?,
+                software: side.software(),
+            })
         }
     }
 }
 
-fn next<S: Stage>(
-    stage: &S,
-    running: &mut Option<Frames<S::Backend>>,
+/// Runs the next frame of a sequence on a backend.
+///
+/// # Errors
+/// [`HarnessError`] as [`Frames::next`], or if the scene is not on that backend.
+pub fn next_frame(
+    scene: &LoadedScene,
+    backend: Backend,
+    sequence: &mut Sequence,
     method: &dyn Configured,
     quantity: Quantity,
     frame: &Frame<'_>,
 ) -> Result<Shaded, HarnessError> {
-    let frames = match running.take() {
-        Some(frames) => frames,
-        None => Frames::new(stage, method)?,
-    };
-    running.insert(frames).next(stage, method, quantity, frame)
+    match backend {
+        Backend::Cpu => sequence
+            .cpu
+            .next(scene.on::<Cpu>()?, method, quantity, frame),
+        Backend::Gpu => sequence
+            .gpu
+            .next(scene.on::<Gpu>()?, method, quantity, frame),
+    }
+}
+
+/// The views from the lights that are needed, as images on the host.
+///
+/// # Errors
+/// [`HarnessError`] if they can't be captured, or if the scene is not on that backend.
+pub fn light_views(
+    scene: &LoadedScene,
+    backend: Backend,
+    needs: &Needs,
+) -> Result<Vec<LightViewImage>, HarnessError> {
+    match backend {
+        Backend::Cpu => {
+            let captures = scene.on::<Cpu>()?.capture(needs)?.0;
+            Ok(captures.light_views.into_values().collect())
+        }
+        Backend::Gpu => {
+            let side = scene.on::<Gpu>()?;
+            let captures = side.capture(needs)?.0;
+            let views = captures.light_views.values();
+            let images = views.map(|views| views.download(&side.context));
+            Ok(images.collect::<Result<_, _>>()?)
+        }
+    }
 }

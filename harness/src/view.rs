@@ -8,7 +8,7 @@ use crate::error::HarnessError;
 use crate::output::HdrImage;
 use glam::Vec3;
 use interreflect_cpu::scene::CpuScene;
-use interreflect_estimators::Seen;
+use interreflect_estimators::VisibleTriangles;
 use interreflect_scene::{Camera, Estimate, Point, PointLayout, Points, Role};
 pub use look::{Look, Mirrors, ShadedAt};
 use traced::{footprint, traced};
@@ -199,9 +199,9 @@ impl View {
     }
 
     /// Triangles between the points and those that are seen, where the points are vertices.
-    pub fn seen(&self) -> Option<Seen<'_>> {
+    pub fn visible(&self) -> Option<VisibleTriangles<'_>> {
         let (triangles, visible) = self.vertices.as_ref()?;
-        Some(Seen { triangles, visible })
+        Some(VisibleTriangles { triangles, visible })
     }
 
     /// The smallest window [left, top, right, bottom) around all shaded pixels; the whole image if

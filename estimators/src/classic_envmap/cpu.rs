@@ -1,55 +1,51 @@
 //! Classic environment mapping on the CPU.
 
+use super::ClassicEnvmap;
 use super::math::phong_exponent;
-use super::{ClassicEnvmap, ClassicEnvmapParams};
 use crate::convolution::cpu::{Convolved, Maps};
 use crate::lobes::lobes;
 use crate::reflection::math::mirrored;
-use crate::{Cpu, Estimator, EstimatorError, Inputs, Prepared, Quantity, Records};
+use crate::{Cpu, Estimator, EstimatorError, Frame, Prepared, Quantity, Records};
 use interreflect_cpu::lane::Lane;
-use interreflect_cpu::tiles::{CpuCx, PointLanes, TileKernel};
-use interreflect_scene::{Estimate, PointLayout};
+use interreflect_cpu::tiles::{PointLanes, TileKernel};
+use interreflect_scene::PointLayout;
 use std::f64::consts::FRAC_1_PI;
 
-/// The convolved maps, kept across frames.
-#[derive(Default)]
-pub struct State(Convolved);
+/// The convolved maps.
+pub struct Filtered(Convolved);
 
-impl Prepared<Cpu> for State {
-    fn records(&self, _caps: &()) -> Result<Vec<Records>, EstimatorError> {
-        Ok(self.0.records())
+impl Estimator<Cpu> for ClassicEnvmap {
+    type Prepared = Filtered;
+
+    fn prepare(
+        &self,
+        frame: &mut Frame<'_, Cpu>,
+        last: Option<Filtered>,
+    ) -> Result<Filtered, EstimatorError> {
+        let last = last.map(|last| last.0);
+        let known = last.as_ref().map(Convolved::exponents);
+        let exponents = lobes(frame, known, phong_exponent)?;
+        Ok(Filtered(Convolved::new(
+            &self.sizes(),
+            frame,
+            exponents,
+            last,
+        )?))
     }
 }
 
-impl Estimator<Cpu> for ClassicEnvmap {
-    type State = State;
-
-    fn prepare(
-        params: &ClassicEnvmapParams,
-        state: &mut State,
-        cx: &mut &CpuCx,
-        quantity: Quantity,
-        inputs: &Inputs<'_, Cpu>,
-        _out: &Estimate,
-    ) -> Result<(), EstimatorError> {
-        let exponents = lobes(quantity, inputs, state.0.exponents(), phong_exponent)?;
-        state.0.update(&params.sizes(), cx, inputs, exponents)
-    }
-
-    fn shade(
-        _params: &ClassicEnvmapParams,
-        state: &mut State,
-        cx: &mut &CpuCx,
-        quantity: Quantity,
-        inputs: &Inputs<'_, Cpu>,
-        out: &mut Estimate,
-    ) -> Result<(), EstimatorError> {
-        let maps = state.0.maps()?;
-        match quantity {
-            Quantity::GlossyRadiance => cx.for_each_tile(inputs.points, out, &Glossy(maps)),
-            _ => cx.for_each_tile(inputs.points, out, &maps.irradiance),
+impl Prepared<Cpu> for Filtered {
+    fn shade(&self, frame: &mut Frame<'_, Cpu>) -> Result<(), EstimatorError> {
+        let maps = self.0.maps();
+        match frame.quantity {
+            Quantity::GlossyRadiance => frame.for_each_tile(&Glossy(maps)),
+            _ => frame.for_each_tile(&maps.irradiance),
         }
         Ok(())
+    }
+
+    fn records(&self, _caps: &()) -> Result<Vec<Records>, EstimatorError> {
+        Ok(self.0.records())
     }
 }
 

@@ -1,13 +1,13 @@
 //! Classic environment mapping on the GPU.
 
+use super::ClassicEnvmap;
 use super::math::phong_exponent;
-use super::{ClassicEnvmap, ClassicEnvmapParams};
-use crate::convolution::gpu as convolution;
+use crate::convolution::gpu::{self as convolution, Convolved};
 use crate::lobes::{MAX_LOBES, lobes};
 use crate::{
-    Estimator, EstimatorError, Gpu, Inputs, LOBE_POWER, Prepared, Quantity, Records, reflection,
+    Estimator, EstimatorError, Frame, Gpu, Kernels, LOBE_POWER, Quantity, Records, reflection,
 };
-use interreflect_gpu::{GpuContext, GpuCx, GpuEstimate, Kernel, Shader, wgsl};
+use interreflect_gpu::{GpuContext, Kernel, Shader, wgsl};
 
 const SHADE: Shader = Shader {
     label: "classic_envmap shade",
@@ -24,11 +24,10 @@ const SHADE: Shader = Shader {
     ],
 };
 
-/// The convolved maps and the kernel that looks them up, kept across frames.
-#[derive(Default)]
-pub struct State {
-    convolved: convolution::Convolved,
-    shade: Option<Kernel>,
+/// The convolved maps and the kernel that looks them up.
+pub struct Filtered {
+    convolved: Convolved,
+    shade: Kernel,
 }
 
 /// As `Shade` in shade.wgsl.
@@ -42,9 +41,9 @@ struct Shade {
 }
 
 impl Shade {
-    fn new(params: &ClassicEnvmapParams, exponents: &[f32]) -> Self {
+    fn new(method: &ClassicEnvmap, exponents: &[f32]) -> Self {
         let mut shade = Self {
-            cells: params.map_resolution,
+            cells: method.map_resolution,
             lobes: exponents.len() as u32,
             pad: [0; 2],
             exponents: [0.0; MAX_LOBES],
@@ -54,53 +53,44 @@ impl Shade {
     }
 }
 
-impl Prepared<Gpu> for State {
-    fn records(&self, context: &GpuContext) -> Result<Vec<Records>, EstimatorError> {
-        self.convolved.records(context)
-    }
-}
-
 impl Estimator<Gpu> for ClassicEnvmap {
-    type State = State;
+    type Prepared = Filtered;
 
     const SHADERS: &'static [Shader] = &[convolution::SHADERS[0], convolution::SHADERS[1], SHADE];
 
     fn prepare(
-        params: &ClassicEnvmapParams,
-        state: &mut State,
-        cx: &mut GpuCx,
-        quantity: Quantity,
-        inputs: &Inputs<'_, Gpu>,
-        out: &GpuEstimate,
-    ) -> Result<(), EstimatorError> {
-        let kept = state.convolved.exponents().to_vec();
-        let exponents = lobes(quantity, inputs, Some(kept), phong_exponent)?;
-        let shade = Shade::new(params, &exponents);
-        let shade = cx.context().uniform("classic_envmap shade", &shade)?;
-        let maps = state
-            .convolved
-            .update(&params.sizes(), cx, inputs, exponents)?;
-        let [points, info, estimate] = inputs.points.bindings(out);
-        let bindings = [points, info, estimate, (&shade).into(), maps.into()];
-        let entry = match quantity {
+        &self,
+        frame: &mut Frame<'_, Gpu>,
+        last: Option<Filtered>,
+    ) -> Result<Filtered, EstimatorError> {
+        let context = frame.context().clone();
+        let last = last.map(|last| last.convolved);
+        let known = last.as_ref().map(Convolved::exponents);
+        let exponents = lobes(frame, known, phong_exponent)?;
+        let shade = Shade::new(self, &exponents);
+        let shade = context.uniform("classic_envmap shade", &shade)?;
+        let convolved = Convolved::new(&self.sizes(), frame, exponents, last)?;
+        let [points, info, estimate] = frame.point_bindings();
+        let maps = convolved.maps().into();
+        let bindings = [points, info, estimate, (&shade).into(), maps];
+        let entry = match frame.quantity {
             Quantity::GlossyRadiance => "glossy",
             _ => "irradiance",
         };
-        state.shade = Some(cx.context().kernel(&SHADE, entry, &bindings)?);
-        Ok(())
+        Ok(Filtered {
+            shade: context.kernel(&SHADE, entry, &bindings)?,
+            convolved,
+        })
+    }
+}
+
+impl Kernels for Filtered {
+    fn kernels(&self) -> &[Kernel] {
+        std::slice::from_ref(&self.shade)
     }
 
-    fn shade(
-        _params: &ClassicEnvmapParams,
-        state: &mut State,
-        cx: &mut GpuCx,
-        _quantity: Quantity,
-        inputs: &Inputs<'_, Gpu>,
-        _out: &mut GpuEstimate,
-    ) -> Result<(), EstimatorError> {
-        let shade = state.shade.as_ref().ok_or(EstimatorError::Unprepared)?;
-        shade.record(cx, inputs.points.workgroups());
-        Ok(())
+    fn records(&self, context: &GpuContext) -> Result<Vec<Records>, EstimatorError> {
+        self.convolved.records(context)
     }
 }
 

@@ -11,14 +11,9 @@ use crate::convolution::{self, Sizes};
 use crate::{Claim, Info, Method, OwnModel, Quantity, Unsupported};
 use interreflect_scene::{CubeSpec, Needs, SceneFacts};
 
-pub use params::ClassicEnvmapParams;
-
-/// The method.
-pub struct ClassicEnvmap;
+pub use params::ClassicEnvmap;
 
 impl Method for ClassicEnvmap {
-    type Params = ClassicEnvmapParams;
-
     const INFO: Info = Info {
         id: "classic_envmap",
         title: "Classic environment map",
@@ -28,29 +23,25 @@ impl Method for ClassicEnvmap {
 
     const QUANTITIES: &'static [Quantity] = &[Quantity::Irradiance, Quantity::GlossyRadiance];
 
-    fn needs(
-        params: &Self::Params,
-        _quantity: Quantity,
-        _scene: &SceneFacts,
-    ) -> Result<Needs, Unsupported> {
+    fn needs(&self, _quantity: Quantity, _scene: &SceneFacts) -> Result<Needs, Unsupported> {
         Ok(Needs {
-            cubes: [params.captured()].into(),
+            cubes: [self.captured()].into(),
             ..Needs::default()
         })
     }
 
-    fn model(params: &Self::Params, _quantity: Quantity) -> OwnModel {
+    fn model(&self, _quantity: Quantity) -> OwnModel {
         OwnModel::EnvironmentAtInfinity {
-            bounces: params.bounces,
+            bounces: self.bounces,
         }
     }
 
-    fn claims(params: &Self::Params, quantity: Quantity) -> Vec<Claim> {
-        convolution::claims::claims(&params.sizes(), quantity)
+    fn claims(&self, quantity: Quantity) -> Vec<Claim> {
+        convolution::claims::claims(&self.sizes(), quantity)
     }
 }
 
-impl ClassicEnvmapParams {
+impl ClassicEnvmap {
     /// The captured cube: `capture_resolution`, rounded up to a multiple of `resolution`.
     pub fn captured(&self) -> CubeSpec {
         let size = self.capture_resolution.next_multiple_of(self.resolution);

@@ -3,7 +3,7 @@ use interreflect_scene::params::{Field, Params};
 
 /// Parameters of [`super::ClassicEnvmap`].
 #[derive(Clone, Debug, PartialEq)]
-pub struct ClassicEnvmapParams {
+pub struct ClassicEnvmap {
     /// Texels along a face's edge that the convolution sums over.
     pub resolution: u32,
     /// Texels along a face's edge when the environment is captured.
@@ -14,7 +14,7 @@ pub struct ClassicEnvmapParams {
     pub map_resolution: u32,
 }
 
-impl Default for ClassicEnvmapParams {
+impl Default for ClassicEnvmap {
     fn default() -> Self {
         Self {
             resolution: 32,
@@ -25,7 +25,7 @@ impl Default for ClassicEnvmapParams {
     }
 }
 
-impl Params for ClassicEnvmapParams {
+impl Params for ClassicEnvmap {
     fn fields() -> Vec<Field<Self>> {
         vec![
             fields::convolution_resolution(|p: &Self| p.resolution, |p, v| p.resolution = v),

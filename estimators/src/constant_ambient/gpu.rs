@@ -1,10 +1,9 @@
 //! Constant ambient light on the GPU.
 
-use super::{ConstantAmbient, ConstantAmbientParams};
-use crate::averaging::face_solid_angles_sr;
-use crate::kept::Kept;
-use crate::{Estimator, EstimatorError, Gpu, Inputs, Prepared, Quantity, Records};
-use interreflect_gpu::{GpuContext, GpuCx, GpuEstimate, Kernel, Shader, wgsl};
+use super::ConstantAmbient;
+use crate::averaging::{captured_radiance, face_solid_angles_sr};
+use crate::{Estimator, EstimatorError, Frame, Gpu, Kernels, Quantity, Records};
+use interreflect_gpu::{GpuContext, Kernel, Shader, wgsl};
 
 const AVERAGE: Shader = Shader {
     label: "constant_ambient average",
@@ -21,69 +20,62 @@ const SHADE: Shader = Shader {
     ],
 };
 
-/// The texels' solid angles, the mean radiance and the kernel with its bindings, kept across frames.
-#[derive(Default)]
-pub struct State {
-    omegas_sr: Kept<ConstantAmbientParams, wgpu::Buffer>,
-    mean: Option<wgpu::Buffer>,
-    shade: Option<Kernel>,
-}
-
-impl Prepared<Gpu> for State {
-    fn records(&self, context: &GpuContext) -> Result<Vec<Records>, EstimatorError> {
-        let mean = self.mean.iter();
-        mean.map(|mean| Records::device::<[f32; 4]>("mean", context, mean))
-            .collect()
-    }
+/// The texels' solid angles, the mean radiance and the kernel with its bindings.
+pub struct Mean {
+    omegas_sr: wgpu::Buffer,
+    radiance: wgpu::Buffer,
+    shade: Kernel,
 }
 
 impl Estimator<Gpu> for ConstantAmbient {
-    type State = State;
+    type Prepared = Mean;
 
     const SHADERS: &'static [Shader] = &[AVERAGE, SHADE];
 
     fn prepare(
-        params: &ConstantAmbientParams,
-        state: &mut State,
-        cx: &mut GpuCx,
-        quantity: Quantity,
-        inputs: &Inputs<'_, Gpu>,
-        out: &GpuEstimate,
-    ) -> Result<(), EstimatorError> {
-        let captured = inputs.cube(&params.captured())?;
-        let missing = || EstimatorError::Missing("the radiance of the captured cube".into());
-        let radiance = captured.radiance_distance().ok_or_else(missing)?;
-        let context = cx.context().clone();
-        let omegas_sr = state.omegas_sr.tables(params, || {
-            let omegas_sr = face_solid_angles_sr(captured.spec().size);
-            Ok(context.storage("constant_ambient solid angles", &omegas_sr)?)
-        })?;
+        &self,
+        frame: &mut Frame<'_, Gpu>,
+        last: Option<Mean>,
+    ) -> Result<Mean, EstimatorError> {
+        let captured = frame.cube(&self.captured())?;
+        let context = frame.context().clone();
+        let omegas_sr = match last {
+            Some(last) => last.omegas_sr,
+            None => {
+                let omegas_sr = face_solid_angles_sr(captured.spec().size);
+                context.storage("constant_ambient solid angles", &omegas_sr)?
+            }
+        };
         let mean = context.storage_zeroed("constant_ambient mean", 16)?;
-        let bindings = [radiance.into(), (&*omegas_sr).into(), (&mean).into()];
+        let bindings = [
+            captured_radiance(captured)?,
+            (&omegas_sr).into(),
+            (&mean).into(),
+        ];
         let average = context.kernel(&AVERAGE, "mean_radiance", &bindings)?;
-        average.record(cx, [1, 1, 1]);
+        average.record(frame.cx, [1, 1, 1]);
 
-        let [points, info, estimate] = inputs.points.bindings(out);
+        let [points, info, estimate] = frame.point_bindings();
         let bindings = [points, info, estimate, (&mean).into()];
-        let entry = match quantity {
+        let entry = match frame.quantity {
             Quantity::GlossyRadiance => "glossy",
             _ => "irradiance",
         };
-        state.shade = Some(context.kernel(&SHADE, entry, &bindings)?);
-        state.mean = Some(mean);
-        Ok(())
+        Ok(Mean {
+            shade: context.kernel(&SHADE, entry, &bindings)?,
+            omegas_sr,
+            radiance: mean,
+        })
+    }
+}
+
+impl Kernels for Mean {
+    fn kernels(&self) -> &[Kernel] {
+        std::slice::from_ref(&self.shade)
     }
 
-    fn shade(
-        _params: &ConstantAmbientParams,
-        state: &mut State,
-        cx: &mut GpuCx,
-        _quantity: Quantity,
-        inputs: &Inputs<'_, Gpu>,
-        _out: &mut GpuEstimate,
-    ) -> Result<(), EstimatorError> {
-        let shade = state.shade.as_ref().ok_or(EstimatorError::Unprepared)?;
-        shade.record(cx, inputs.points.workgroups());
-        Ok(())
+    fn records(&self, context: &GpuContext) -> Result<Vec<Records>, EstimatorError> {
+        let mean = Records::device::<[f32; 4]>("mean", context, &self.radiance)?;
+        Ok(vec![mean])
     }
 }

@@ -10,14 +10,9 @@ mod params;
 use crate::{Claim, Info, Method, OwnModel, Quantity, Unsupported};
 use interreflect_scene::{CubeSpec, Needs, SceneFacts};
 
-pub use params::ConstantAmbientParams;
-
-/// The method.
-pub struct ConstantAmbient;
+pub use params::ConstantAmbient;
 
 impl Method for ConstantAmbient {
-    type Params = ConstantAmbientParams;
-
     const INFO: Info = Info {
         id: "constant_ambient",
         title: "Constant ambient light",
@@ -26,29 +21,25 @@ impl Method for ConstantAmbient {
 
     const QUANTITIES: &'static [Quantity] = &[Quantity::Irradiance, Quantity::GlossyRadiance];
 
-    fn needs(
-        params: &Self::Params,
-        _quantity: Quantity,
-        _scene: &SceneFacts,
-    ) -> Result<Needs, Unsupported> {
+    fn needs(&self, _quantity: Quantity, _scene: &SceneFacts) -> Result<Needs, Unsupported> {
         Ok(Needs {
-            cubes: [params.captured()].into(),
+            cubes: [self.captured()].into(),
             ..Needs::default()
         })
     }
 
-    fn model(params: &Self::Params, _quantity: Quantity) -> OwnModel {
+    fn model(&self, _quantity: Quantity) -> OwnModel {
         OwnModel::MeanRadiance {
-            bounces: params.bounces,
+            bounces: self.bounces,
         }
     }
 
-    fn claims(_params: &Self::Params, quantity: Quantity) -> Vec<Claim> {
+    fn claims(&self, quantity: Quantity) -> Vec<Claim> {
         claims::claims(quantity)
     }
 }
 
-impl ConstantAmbientParams {
+impl ConstantAmbient {
     /// The captured cube.
     fn captured(&self) -> CubeSpec {
         CubeSpec {

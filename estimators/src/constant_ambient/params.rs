@@ -3,14 +3,14 @@ use interreflect_scene::params::{Field, Params};
 
 /// Parameters of [`super::ConstantAmbient`].
 #[derive(Clone, Debug, PartialEq)]
-pub struct ConstantAmbientParams {
+pub struct ConstantAmbient {
     /// Texels along a face's edge when the environment is captured.
     pub capture_resolution: u32,
     /// Reflections in the captured radiance beyond that of the lights' light.
     pub bounces: u32,
 }
 
-impl Default for ConstantAmbientParams {
+impl Default for ConstantAmbient {
     fn default() -> Self {
         Self {
             capture_resolution: 64,
@@ -19,7 +19,7 @@ impl Default for ConstantAmbientParams {
     }
 }
 
-impl Params for ConstantAmbientParams {
+impl Params for ConstantAmbient {
     fn fields() -> Vec<Field<Self>> {
         vec![
             fields::capture_resolution(

@@ -4,7 +4,7 @@ use super::Sizes;
 use crate::{Answers, Claim, Quantity};
 
 /// An environment at infinity, convolved exactly with the cosine at the nodes of a map.
-pub(crate) fn claims(sizes: &Sizes, quantity: Quantity) -> Vec<Claim> {
+pub fn claims(sizes: &Sizes, quantity: Quantity) -> Vec<Claim> {
     let mut claims = vec![
         Claim::NonNegative,
         Claim::Bounded {

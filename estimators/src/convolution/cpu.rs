@@ -4,18 +4,16 @@ use super::Sizes;
 use super::math::{cosine_weight, map_nodes, map_taps, phong_weight};
 use super::sources::{Source, light, node_points, vectors_sr};
 use crate::averaging::face_solid_angles_sr;
-use crate::kept::Kept;
-use crate::{Changed, Cpu, EstimatorError, Inputs, Records};
+use crate::{Cpu, EstimatorError, Frame, Records};
 use glam::Vec3;
 use interreflect_cpu::lane::{Lane, Scalar, Vector};
 use interreflect_cpu::tiles::{Arithmetic, CpuCx, PointLanes, TileKernel};
 use interreflect_scene::{Estimate, PointLayout, Points};
 
-/// The tables and the convolved maps, kept across frames.
-#[derive(Default)]
-pub(crate) struct Convolved {
-    tables: Kept<Sizes, Tables>,
-    maps: Option<Maps>,
+/// The convolved maps with their tables.
+pub struct Convolved {
+    tables: Tables,
+    maps: Maps,
 }
 
 /// What a convolution reads and where it is evaluated.
@@ -40,15 +38,17 @@ impl Tables {
 }
 
 /// The convolved maps: of irradiance, and for each lobe its exponent and its map of radiance.
-pub(crate) struct Maps {
-    pub(crate) irradiance: Map,
-    pub(crate) lobes: Vec<(f32, Map)>,
+pub struct Maps {
+    /// Irradiance by normal.
+    pub irradiance: Map,
+    /// Exponent of each lobe, ascending, with its filtered radiance.
+    pub lobes: Vec<(f32, Map)>,
 }
 
 impl Maps {
     /// Radiance in each lane's direction, filtered with the lobe of its exponent; 0 without one.
     #[inline(always)]
-    pub(crate) fn of_lobe<L: Lane>(&self, exponent: L, directions: Vector<L>) -> Vector<L> {
+    pub fn of_lobe<L: Lane>(&self, exponent: L, directions: Vector<L>) -> Vector<L> {
         Vector::by_lane(|i| {
             let is_its = |e: f32| L::Scalar::from(e) >= exponent.lanes()[i];
             let lobe = self.lobes.iter().find(|(e, _)| is_its(*e));
@@ -60,57 +60,59 @@ impl Maps {
 }
 
 impl Convolved {
-    /// The Phong exponents that there are maps for; none before the first convolution.
-    pub(crate) fn exponents(&self) -> Option<Vec<f32>> {
-        let exponents = |maps: &Maps| maps.lobes.iter().map(|(exponent, _)| *exponent).collect();
-        self.maps.as_ref().map(exponents)
+    /// The Phong exponents that there are maps for.
+    pub fn exponents(&self) -> Vec<f32> {
+        let lobes = self.maps.lobes.iter();
+        lobes.map(|(exponent, _)| *exponent).collect()
     }
 
-    /// Convolves the declared capture with the cosine and with a Phong lobe of each exponent,
-    /// unless nothing has changed.
-    pub(crate) fn update(
-        &mut self,
+    /// Convolves the declared capture with the cosine and with a Phong lobe of each exponent; what
+    /// the last frame had is kept where nothing has changed.
+    pub fn new(
         sizes: &Sizes,
-        cx: &CpuCx,
-        inputs: &Inputs<'_, Cpu>,
+        frame: &Frame<'_, Cpu>,
         exponents: Vec<f32>,
-    ) -> Result<(), EstimatorError> {
-        let stale = inputs.changed.any(Changed::PARAMS | Changed::CAPTURES);
-        if !stale && self.exponents().as_ref() == Some(&exponents) {
-            return Ok(());
-        }
-        let captured = inputs.cube(&sizes.captured)?;
-        let tables = self.tables.tables(sizes, || Ok(Tables::new(sizes)))?;
+        last: Option<Self>,
+    ) -> Result<Self, EstimatorError> {
+        let mut tables = match last {
+            Some(last) => {
+                let holds = frame.unless_stale(Some(())).is_some();
+                if holds && last.exponents() == exponents {
+                    return Ok(last);
+                }
+                last.tables
+            }
+            None => Tables::new(sizes),
+        };
+        let captured = frame.cube(&sizes.captured)?;
         let (sources, nodes) = (&mut tables.sources, &tables.nodes);
         light(sources, sizes.resolution, captured, &tables.omegas_sr);
+        let cx: &CpuCx = frame.cx;
         let lobe = |e| (e, Map::convolve(cx, sizes.cells, nodes, &Phong(sources, e)));
-        self.maps = Some(Maps {
+        let maps = Maps {
             irradiance: Map::convolve(cx, sizes.cells, nodes, &Cosine(sources)),
             lobes: exponents.into_iter().map(lobe).collect(),
-        });
-        Ok(())
+        };
+        Ok(Self { tables, maps })
     }
 
     /// All maps, the irradiance first, as the GPU has them.
-    pub(crate) fn records(&self) -> Vec<Records> {
-        let all = |maps: &Maps| {
-            let lobes = maps.lobes.iter().map(|(_, map)| map);
-            let nodes = std::iter::once(&maps.irradiance)
-                .chain(lobes)
-                .flat_map(|map| map.nodes.iter().map(|rgb| rgb.extend(0.0).to_array()));
-            Records::host("maps", &nodes.collect::<Vec<_>>())
-        };
-        self.maps.iter().map(all).collect()
+    pub fn records(&self) -> Vec<Records> {
+        let lobes = self.maps.lobes.iter().map(|(_, map)| map);
+        let nodes = std::iter::once(&self.maps.irradiance)
+            .chain(lobes)
+            .flat_map(|map| map.nodes.iter().map(|rgb| rgb.extend(0.0).to_array()));
+        vec![Records::host("maps", &nodes.collect::<Vec<_>>())]
     }
 
-    /// The maps of the last update.
-    pub(crate) fn maps(&self) -> Result<&Maps, EstimatorError> {
-        self.maps.as_ref().ok_or(EstimatorError::Unprepared)
+    /// The maps.
+    pub fn maps(&self) -> &Maps {
+        &self.maps
     }
 }
 
 /// RGB at the nodes of a cube map, row by row.
-pub(crate) struct Map {
+pub struct Map {
     cells: u32,
     nodes: Vec<Vec3>,
 }
@@ -139,7 +141,7 @@ impl Map {
 
     /// RGB in each lane's direction.
     #[inline(always)]
-    pub(crate) fn along<L: Lane>(&self, directions: Vector<L>) -> Vector<L> {
+    pub fn along<L: Lane>(&self, directions: Vector<L>) -> Vector<L> {
         Vector::by_lane(|i| self.lookup(directions.lane(i)))
     }
 }

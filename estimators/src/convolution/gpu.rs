@@ -4,15 +4,14 @@ use super::Sizes;
 use super::math::{map_nodes, node_direction};
 use super::sources::vectors_sr;
 use crate::averaging::{AVERAGE, Target, face_solid_angles_sr, record_average};
-use crate::kept::Kept;
-use crate::{Changed, EstimatorError, Gpu, Inputs, LOBE_POWER, Records};
+use crate::{EstimatorError, Frame, Gpu, LOBE_POWER, Records};
 use interreflect_gpu::{GpuContext, GpuCx, Shader, wgsl};
 
 /// Twins of math.rs; needs [`wgsl::CUBE`] and [`LOBE_POWER`].
-pub(crate) const LEAVES: &str = include_str!("math.wgsl");
+pub const LEAVES: &str = include_str!("math.wgsl");
 
 /// `map_lookup` in the maps of slot 4; needs [`LEAVES`].
-pub(crate) const LOOKUP: &str = include_str!("lookup.wgsl");
+pub const LOOKUP: &str = include_str!("lookup.wgsl");
 
 const CONVOLVE: Shader = Shader {
     label: "convolution",
@@ -25,13 +24,12 @@ const CONVOLVE: Shader = Shader {
 };
 
 /// The shaders that a convolution runs.
-pub(crate) const SHADERS: [Shader; 2] = [AVERAGE, CONVOLVE];
+pub const SHADERS: [Shader; 2] = [AVERAGE, CONVOLVE];
 
-/// The tables and the convolved maps, kept across frames.
-#[derive(Default)]
-pub(crate) struct Convolved {
-    tables: Kept<Sizes, Tables>,
-    maps: Option<wgpu::Buffer>,
+/// The convolved maps with their tables.
+pub struct Convolved {
+    tables: Tables,
+    maps: wgpu::Buffer,
     exponents: Vec<f32>,
 }
 
@@ -80,41 +78,51 @@ struct Convolve {
 
 impl Convolved {
     /// The Phong exponents that there are maps for.
-    pub(crate) fn exponents(&self) -> &[f32] {
-        &self.exponents
+    pub fn exponents(&self) -> Vec<f32> {
+        self.exponents.clone()
     }
 
     /// All maps, the irradiance first.
-    pub(crate) fn records(&self, context: &GpuContext) -> Result<Vec<Records>, EstimatorError> {
-        let maps = self.maps.iter();
-        maps.map(|maps| Records::device::<[f32; 4]>("maps", context, maps))
-            .collect()
+    pub fn records(&self, context: &GpuContext) -> Result<Vec<Records>, EstimatorError> {
+        let maps = Records::device::<[f32; 4]>("maps", context, &self.maps)?;
+        Ok(vec![maps])
+    }
+
+    /// The buffer of the maps, the irradiance first.
+    pub fn maps(&self) -> &wgpu::Buffer {
+        &self.maps
     }
 
     /// Records the convolution of the declared capture with the cosine and with a Phong lobe of
-    /// each exponent, unless nothing has changed; returns the buffer of the maps, the irradiance
-    /// first.
-    pub(crate) fn update(
-        &mut self,
+    /// each exponent; what the last frame had is kept where nothing has changed.
+    pub fn new(
         sizes: &Sizes,
-        cx: &mut GpuCx,
-        inputs: &Inputs<'_, Gpu>,
+        frame: &mut Frame<'_, Gpu>,
         exponents: Vec<f32>,
-    ) -> Result<&wgpu::Buffer, EstimatorError> {
-        let stale = inputs.changed.any(Changed::PARAMS | Changed::CAPTURES);
-        if stale || self.maps.is_none() || exponents != self.exponents {
-            let make = || Tables::new(sizes, cx.context());
-            let tables = self.tables.tables(sizes, make)?;
-            let target = Target {
-                buffer: &tables.radiances,
-                resolution: sizes.resolution,
-                border: 0,
-            };
-            record_average(cx, inputs, &sizes.captured, &tables.omegas_sr, &target)?;
-            self.maps = Some(convolve(sizes, cx, tables, &exponents)?);
-            self.exponents = exponents;
-        }
-        self.maps.as_ref().ok_or(EstimatorError::Unprepared)
+        last: Option<Self>,
+    ) -> Result<Self, EstimatorError> {
+        let tables = match last {
+            Some(last) => {
+                let holds = frame.unless_stale(Some(())).is_some();
+                if holds && last.exponents == exponents {
+                    return Ok(last);
+                }
+                last.tables
+            }
+            None => Tables::new(sizes, frame.context())?,
+        };
+        let target = Target {
+            buffer: &tables.radiances,
+            resolution: sizes.resolution,
+            border: 0,
+        };
+        record_average(frame, &sizes.captured, &tables.omegas_sr, &target)?;
+        let maps = convolve(sizes, frame.cx, &tables, &exponents)?;
+        Ok(Self {
+            tables,
+            maps,
+            exponents,
+        })
     }
 }
 

@@ -1,10 +1,10 @@
 //! What the method claims.
 
-use super::{DirectRadianceMapParams, Formula};
+use super::{DirectRadianceMap, Formula};
 use crate::{Answers, Claim, Quantity};
 
 /// A few photons stand for all: no more than what they are can be claimed of their sum.
-pub(super) fn claims(params: &DirectRadianceMapParams, quantity: Quantity) -> Vec<Claim> {
+pub(super) fn claims(params: &DirectRadianceMap, quantity: Quantity) -> Vec<Claim> {
     let mut claims = vec![
         Claim::NonNegative,
         Claim::Linear,

@@ -2,77 +2,58 @@
 
 use super::math::{omega_corrected, omega_published, towards_photon};
 use super::samples::{Highlight, Photon, photons};
-use super::{DirectRadianceMap, DirectRadianceMapParams, Formula};
+use super::{DirectRadianceMap, Formula};
 use crate::texels::math::{cos_half, lobe_normalisation, normalised_reflectivity};
-use crate::{Changed, Cpu, Estimator, EstimatorError, Inputs, Prepared, Quantity, Records};
+use crate::{Cpu, Estimator, EstimatorError, Frame, Prepared, Quantity, Records};
 use interreflect_cpu::lane::{Lane, Vector};
-use interreflect_cpu::tiles::{CpuCx, PointLanes, TileKernel};
-use interreflect_scene::{Estimate, PointLayout, Points};
+use interreflect_cpu::tiles::{PointLanes, TileKernel};
+use interreflect_scene::PointLayout;
 use std::f64::consts::FRAC_1_PI;
 
-/// The photons, kept across frames.
-#[derive(Default)]
-pub struct State {
-    photons: Option<(Vec<Photon>, Vec<Highlight>)>,
-}
-
-impl Prepared<Cpu> for State {
-    fn records(&self, _caps: &()) -> Result<Vec<Records>, EstimatorError> {
-        let Some((photons, highlights)) = &self.photons else {
-            return Ok(Vec::new());
-        };
-        Ok(vec![
-            Records::host("photons", photons),
-            Records::host("highlights", highlights),
-        ])
-    }
+/// The photons.
+pub struct Photons {
+    method: DirectRadianceMap,
+    photons: Vec<Photon>,
+    highlights: Vec<Highlight>,
 }
 
 impl Estimator<Cpu> for DirectRadianceMap {
-    type State = State;
+    type Prepared = Photons;
 
     fn prepare(
-        params: &DirectRadianceMapParams,
-        state: &mut State,
-        _cx: &mut &CpuCx,
-        _quantity: Quantity,
-        inputs: &Inputs<'_, Cpu>,
-        _out: &Estimate,
-    ) -> Result<(), EstimatorError> {
-        let stale = inputs.changed.any(Changed::PARAMS | Changed::CAPTURES);
-        if stale || state.photons.is_none() {
-            let views = inputs.light_view(&params.captured())?;
-            state.photons = Some(photons(params, views));
+        &self,
+        frame: &mut Frame<'_, Cpu>,
+        last: Option<Photons>,
+    ) -> Result<Photons, EstimatorError> {
+        if let Some(last) = frame.unless_stale(last) {
+            return Ok(last);
+        }
+        let (photons, highlights) = photons(self, frame.light_view(&self.captured())?);
+        Ok(Photons {
+            method: self.clone(),
+            photons,
+            highlights,
+        })
+    }
+}
+
+impl Prepared<Cpu> for Photons {
+    fn shade(&self, frame: &mut Frame<'_, Cpu>) -> Result<(), EstimatorError> {
+        let (photons, highlights) = (&self.photons, &self.highlights);
+        let shining = self.method.shining();
+        match self.method.formula() {
+            Formula::Constant => Sum::<Constant>::new(photons, highlights).run(frame, shining),
+            Formula::Published => Sum::<Published>::new(photons, highlights).run(frame, shining),
+            Formula::Corrected => Sum::<Corrected>::new(photons, highlights).run(frame, shining),
         }
         Ok(())
     }
 
-    fn shade(
-        params: &DirectRadianceMapParams,
-        state: &mut State,
-        cx: &mut &CpuCx,
-        quantity: Quantity,
-        inputs: &Inputs<'_, Cpu>,
-        out: &mut Estimate,
-    ) -> Result<(), EstimatorError> {
-        let kept = state.photons.as_ref().ok_or(EstimatorError::Unprepared)?;
-        let (photons, highlights) = kept;
-        let (cx, points) = (*cx, inputs.points);
-        match params.formula() {
-            Formula::Constant => {
-                let sum = Sum::<Constant>::new(photons, highlights);
-                sum.run(cx, (params.shining(), quantity), points, out);
-            }
-            Formula::Published => {
-                let sum = Sum::<Published>::new(photons, highlights);
-                sum.run(cx, (params.shining(), quantity), points, out);
-            }
-            Formula::Corrected => {
-                let sum = Sum::<Corrected>::new(photons, highlights);
-                sum.run(cx, (params.shining(), quantity), points, out);
-            }
-        }
-        Ok(())
+    fn records(&self, _caps: &()) -> Result<Vec<Records>, EstimatorError> {
+        Ok(vec![
+            Records::host("photons", &self.photons),
+            Records::host("highlights", &self.highlights),
+        ])
     }
 }
 
@@ -128,18 +109,12 @@ impl<'a, F: Omega> Sum<'a, F> {
         }
     }
 
-    fn run(
-        self,
-        cx: &CpuCx,
-        (shining, quantity): (bool, Quantity),
-        points: &Points,
-        out: &mut Estimate,
-    ) {
-        match (shining, quantity == Quantity::GlossyRadiance) {
-            (false, false) => cx.for_each_tile(points, out, &Irradiance::<_, false>(self)),
-            (true, false) => cx.for_each_tile(points, out, &Irradiance::<_, true>(self)),
-            (false, true) => cx.for_each_tile(points, out, &Diffuse(self)),
-            (true, true) => cx.for_each_tile(points, out, &Glossy(self)),
+    fn run(self, frame: &mut Frame<'_, Cpu>, shining: bool) {
+        match (shining, frame.quantity == Quantity::GlossyRadiance) {
+            (false, false) => frame.for_each_tile(&Irradiance::<_, false>(self)),
+            (true, false) => frame.for_each_tile(&Irradiance::<_, true>(self)),
+            (false, true) => frame.for_each_tile(&Diffuse(self)),
+            (true, true) => frame.for_each_tile(&Glossy(self)),
         }
     }
 

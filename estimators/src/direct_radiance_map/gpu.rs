@@ -1,13 +1,11 @@
 //! Direct radiance maps on the GPU.
 
 use super::samples::{Highlight, Photon, samples};
-use super::{DirectRadianceMap, DirectRadianceMapParams, Formula};
+use super::{DirectRadianceMap, Formula};
 use crate::texels::gpu::LEAVES as TEXEL_LEAVES;
-use crate::{
-    Changed, Estimator, EstimatorError, Gpu, Inputs, LOBE_POWER, Prepared, Quantity, Records,
-};
+use crate::{Estimator, EstimatorError, Frame, Gpu, Kernels, LOBE_POWER, Quantity, Records};
 use bytemuck::{Pod, Zeroable};
-use interreflect_gpu::{GpuContext, GpuCx, GpuEstimate, GpuLightView, Kernel, Shader, wgsl};
+use interreflect_gpu::{GpuContext, GpuCx, GpuLightView, Kernel, Shader, wgsl};
 
 const LEAVES: &str = include_str!("math.wgsl");
 const PHOTON: &str = include_str!("photon.wgsl");
@@ -56,10 +54,9 @@ pub(super) const UNIFORM_PHOTONS: usize = 1024;
 /// Photons that one dispatch sums: lavapipe ends the loops of an invocation after 65,535 turns.
 const PART: u32 = 1 << 15;
 
-/// The photons and the kernels of the parts of their sum, kept across frames.
-#[derive(Default)]
-pub struct State {
-    photons: Option<GpuPhotons>,
+/// The photons and the kernels of the parts of their sum.
+pub struct Photons {
+    made: GpuPhotons,
     shade: Vec<Kernel>,
 }
 
@@ -92,22 +89,22 @@ pub(super) struct Shade {
 impl GpuPhotons {
     /// Records the making of photons.
     fn new(
-        params: &DirectRadianceMapParams,
+        method: &DirectRadianceMap,
         cx: &mut GpuCx,
         views: &GpuLightView,
     ) -> Result<Self, EstimatorError> {
         let context = cx.context().clone();
-        let samples = samples(params, views.frames());
+        let samples = samples(method, views.frames());
         let count = samples.len() as u32;
         let gather = Gather {
             samples: count,
-            per_side: params.samples_per_side,
-            size: params.map_resolution,
+            per_side: method.samples_per_side,
+            size: method.map_resolution,
             diagonal2: views.bounds().diagonal().powi(2),
         };
         let gather = context.uniform("direct_radiance_map photons", &gather)?;
         let places = context.storage("samples of light views", &samples)?;
-        let shining = if params.shining() { samples.len() } else { 1 };
+        let shining = if method.shining() { samples.len() } else { 1 };
         let bytes = shining * size_of::<Highlight>();
         let made = Self {
             photons: photon_buffer(&context, samples.len())?,
@@ -124,7 +121,7 @@ impl GpuPhotons {
             (&made.photons).into(),
             (&made.highlights).into(),
         ];
-        let extent_kind = match (params.formula(), params.shares_hemisphere()) {
+        let extent_kind = match (method.formula(), method.shares_hemisphere()) {
             (_, true) => 0.0,
             (Formula::Constant, _) => 1.0,
             _ => 2.0,
@@ -132,11 +129,11 @@ impl GpuPhotons {
         let flag = |on: bool| f64::from(u8::from(on));
         let constants = [
             ("extent_kind", extent_kind),
-            ("shining", flag(params.shining())),
-            ("normals_known", flag(params.captured().channels.normal)),
+            ("shining", flag(method.shining())),
+            ("normals_known", flag(method.captured().channels.normal)),
         ];
-        let per_view = params.samples_per_side.pow(2);
-        let (entry, workgroups) = match params.mip {
+        let per_view = method.samples_per_side.pow(2);
+        let (entry, workgroups) = match method.mip {
             true => ("gather_means", [per_view, views.frames().len() as u32, 1]),
             false => ("gather_middles", [count.div_ceil(64), 1, 1]),
         };
@@ -146,90 +143,85 @@ impl GpuPhotons {
     }
 }
 
-impl Prepared<Gpu> for State {
-    fn records(&self, context: &GpuContext) -> Result<Vec<Records>, EstimatorError> {
-        let Some(made) = &self.photons else {
-            return Ok(Vec::new());
-        };
-        let photons = Records::device::<Photon>("photons", context, &made.photons)?;
-        let highlights = Records::device::<Highlight>("highlights", context, &made.highlights)?;
-        // A sample that meets no surface is left as it was made.
-        Ok([photons, highlights].map(Records::without_zeros).into())
-    }
-}
-
 impl Estimator<Gpu> for DirectRadianceMap {
-    type State = State;
+    type Prepared = Photons;
 
     const SHADERS: &'static [Shader] = &[PHOTONS, SHADE[0], SHADE[1]];
 
     fn prepare(
-        params: &DirectRadianceMapParams,
-        state: &mut State,
-        cx: &mut GpuCx,
-        quantity: Quantity,
-        inputs: &Inputs<'_, Gpu>,
-        out: &GpuEstimate,
-    ) -> Result<(), EstimatorError> {
-        let stale = inputs.changed.any(Changed::PARAMS | Changed::CAPTURES);
-        if stale || state.photons.is_none() {
-            let views = inputs.light_view(&params.captured())?;
-            state.photons = Some(GpuPhotons::new(params, cx, views)?);
-        }
-        let photons = state.photons.as_ref().ok_or(EstimatorError::Unprepared)?;
-        let entry = match (params.shining(), quantity == Quantity::GlossyRadiance) {
+        &self,
+        frame: &mut Frame<'_, Gpu>,
+        last: Option<Photons>,
+    ) -> Result<Photons, EstimatorError> {
+        let made = match frame.unless_stale(last) {
+            Some(last) => last.made,
+            None => {
+                let views = frame.light_view(&self.captured())?;
+                GpuPhotons::new(self, frame.cx, views)?
+            }
+        };
+        let shade = self.sums(frame, &made)?;
+        Ok(Photons { made, shade })
+    }
+}
+
+impl DirectRadianceMap {
+    /// The kernels of the parts of the sum over all photons.
+    fn sums(
+        &self,
+        frame: &Frame<'_, Gpu>,
+        photons: &GpuPhotons,
+    ) -> Result<Vec<Kernel>, EstimatorError> {
+        let entry = match (self.shining(), frame.quantity == Quantity::GlossyRadiance) {
             (false, false) => "irradiance",
             (false, true) => "diffuse",
             (true, false) => "irradiance_shining",
             (true, true) => "glossy_shining",
         };
-        let formula = match params.formula() {
+        let formula = match self.formula() {
             Formula::Constant => 0.0,
             Formula::Published => 1.0,
             Formula::Corrected => 2.0,
         };
-        let context = cx.context();
+        let context = frame.context();
         let shader = &SHADE[usize::from(photons.count as usize > UNIFORM_PHOTONS)];
-        let [points, info, estimate] = inputs.points.bindings(out);
-        state.shade.clear();
-        for first in (0..photons.count).step_by(PART as usize) {
-            let shade = Shade {
-                first,
-                count: PART.min(photons.count - first),
-                adds: u32::from(first > 0),
-                pad: 0,
-            };
-            let shade = context.uniform("direct_radiance_map shade", &shade)?;
-            let bindings = [
-                points,
-                info,
-                estimate,
-                (&shade).into(),
-                (&photons.photons).into(),
-                (&photons.highlights).into(),
-            ];
-            let constants = [("formula", formula)];
-            let kernel = context.kernel_with(shader, entry, &constants, &bindings)?;
-            state.shade.push(kernel);
-        }
-        Ok(())
+        let [points, info, estimate] = frame.point_bindings();
+        let parts = (0..photons.count).step_by(PART as usize);
+        parts
+            .map(|first| {
+                let shade = Shade {
+                    first,
+                    count: PART.min(photons.count - first),
+                    adds: u32::from(first > 0),
+                    pad: 0,
+                };
+                let shade = context.uniform("direct_radiance_map shade", &shade)?;
+                let bindings = [
+                    points,
+                    info,
+                    estimate,
+                    (&shade).into(),
+                    (&photons.photons).into(),
+                    (&photons.highlights).into(),
+                ];
+                let constants = [("formula", formula)];
+                Ok(context.kernel_with(shader, entry, &constants, &bindings)?)
+            })
+            .collect()
+    }
+}
+
+impl Kernels for Photons {
+    fn kernels(&self) -> &[Kernel] {
+        &self.shade
     }
 
-    fn shade(
-        _params: &DirectRadianceMapParams,
-        state: &mut State,
-        cx: &mut GpuCx,
-        _quantity: Quantity,
-        inputs: &Inputs<'_, Gpu>,
-        _out: &mut GpuEstimate,
-    ) -> Result<(), EstimatorError> {
-        if state.shade.is_empty() {
-            return Err(EstimatorError::Unprepared);
-        }
-        for part in &state.shade {
-            part.record(cx, inputs.points.workgroups());
-        }
-        Ok(())
+    fn records(&self, context: &GpuContext) -> Result<Vec<Records>, EstimatorError> {
+        let photons = Records::device::<Photon>("photons", context, &self.made.photons)?;
+        let highlights =
+            Records::device::<Highlight>("highlights", context, &self.made.highlights)?;
+        // A sample that meets no surface is left as it was made.
+        Ok([photons, highlights].map(Records::without_zeros).into())
     }
 }
 

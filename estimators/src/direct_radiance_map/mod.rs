@@ -13,14 +13,9 @@ use crate::{Claim, Info, Method, OwnModel, Quantity, Unsupported};
 use interreflect_scene::params::Fidelity;
 use interreflect_scene::{LightViewChannels, LightViewSpec, Needs, SceneFacts};
 
-pub use params::{DirectRadianceMapParams, SolidAngle, Surface, TexelOf};
-
-/// The method.
-pub struct DirectRadianceMap;
+pub use params::{DirectRadianceMap, SolidAngle, Surface, TexelOf};
 
 impl Method for DirectRadianceMap {
-    type Params = DirectRadianceMapParams;
-
     const INFO: Info = Info {
         id: "direct_radiance_map",
         title: "Direct radiance maps",
@@ -29,12 +24,8 @@ impl Method for DirectRadianceMap {
 
     const QUANTITIES: &'static [Quantity] = &[Quantity::Irradiance, Quantity::GlossyRadiance];
 
-    fn needs(
-        params: &Self::Params,
-        _quantity: Quantity,
-        scene: &SceneFacts,
-    ) -> Result<Needs, Unsupported> {
-        let (n, w) = (params.samples_per_side, params.map_resolution);
+    fn needs(&self, _quantity: Quantity, scene: &SceneFacts) -> Result<Needs, Unsupported> {
+        let (n, w) = (self.samples_per_side, self.map_resolution);
         if n > w {
             return Err(Unsupported(format!(
                 "samples_per_side is {n} and the pictures have {w}×{w} texels: raise \
@@ -55,19 +46,19 @@ impl Method for DirectRadianceMap {
             ));
         }
         Ok(Needs {
-            light_views: [params.captured()].into(),
+            light_views: [self.captured()].into(),
             ..Needs::default()
         })
     }
 
-    fn model(params: &Self::Params, _quantity: Quantity) -> OwnModel {
+    fn model(&self, _quantity: Quantity) -> OwnModel {
         OwnModel::FirstHitsOfLights {
-            directional: params.shining(),
+            directional: self.shining(),
         }
     }
 
-    fn claims(params: &Self::Params, quantity: Quantity) -> Vec<Claim> {
-        claims::claims(params, quantity)
+    fn claims(&self, quantity: Quantity) -> Vec<Claim> {
+        claims::claims(self, quantity)
     }
 }
 
@@ -82,7 +73,7 @@ enum Formula {
     Corrected,
 }
 
-impl DirectRadianceMapParams {
+impl DirectRadianceMap {
     /// The views that are sampled. Equations 11 and 15 know no normals.
     fn captured(&self) -> LightViewSpec {
         let shining = self.shining();

@@ -54,7 +54,7 @@ impl Choice for Surface {
 
 /// Parameters of [`super::DirectRadianceMap`].
 #[derive(Clone, Debug, PartialEq)]
-pub struct DirectRadianceMapParams {
+pub struct DirectRadianceMap {
     /// w: texels along the edge of a light's view.
     pub map_resolution: u32,
     /// Samples along the edge of the grid over a view.
@@ -71,7 +71,7 @@ pub struct DirectRadianceMapParams {
     pub surface: Surface,
 }
 
-impl Default for DirectRadianceMapParams {
+impl Default for DirectRadianceMap {
     fn default() -> Self {
         Self {
             map_resolution: 16,
@@ -85,7 +85,7 @@ impl Default for DirectRadianceMapParams {
     }
 }
 
-impl Params for DirectRadianceMapParams {
+impl Params for DirectRadianceMap {
     fn fields() -> Vec<Field<Self>> {
         vec![
             Field::u32(

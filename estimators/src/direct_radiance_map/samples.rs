@@ -1,7 +1,7 @@
 //! Which texels of the views are sampled, how large each is, and the photons that they become.
 
 use super::math::{area_across, equal_angle_texel, hemisphere_share, lit_area, omega_far};
-use super::{DirectRadianceMapParams, Formula, TexelOf};
+use super::{DirectRadianceMap, Formula, TexelOf};
 use crate::texels::math::lobe_normalisation;
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
@@ -52,7 +52,7 @@ pub(super) struct Highlight {
 
 /// The samples of all views, frame by frame and row by row: the texel at the middle of each cell of
 /// the grid.
-pub(super) fn samples(params: &DirectRadianceMapParams, frames: &[LightFrame]) -> Vec<Sample> {
+pub(super) fn samples(params: &DirectRadianceMap, frames: &[LightFrame]) -> Vec<Sample> {
     let (n, size) = (params.samples_per_side, params.map_resolution);
     let per_view = (n * n) as usize;
     let middle = |i: u32| (2 * i + 1) * size / (2 * n);
@@ -75,12 +75,7 @@ pub(super) fn samples(params: &DirectRadianceMapParams, frames: &[LightFrame]) -
 }
 
 /// [`Sample::measure`] of a cell of the grid and the texel at its middle.
-fn measure(
-    params: &DirectRadianceMapParams,
-    frame: &LightFrame,
-    cell: [u32; 2],
-    texel: [u32; 2],
-) -> f64 {
+fn measure(params: &DirectRadianceMap, frame: &LightFrame, cell: [u32; 2], texel: [u32; 2]) -> f64 {
     let (size, [column, row]) = match params.texel {
         TexelOf::Grid => (params.samples_per_side, cell),
         TexelOf::Texture => (params.map_resolution, texel),
@@ -106,7 +101,7 @@ fn covered(n: u32, size: u32, cell: u32) -> impl Iterator<Item = (u32, f32)> + C
 
 /// Makes the photons of a capture; without those that are none.
 pub(super) fn photons(
-    params: &DirectRadianceMapParams,
+    params: &DirectRadianceMap,
     views: &LightViewImage,
 ) -> (Vec<Photon>, Vec<Highlight>) {
     let (mut photons, mut highlights) = (Vec::new(), Vec::new());
@@ -147,7 +142,7 @@ pub(super) fn photons(
 }
 
 /// [`Photon::extent`].
-fn extent(params: &DirectRadianceMapParams, sample: &Sample, views: &LightViewImage) -> f32 {
+fn extent(params: &DirectRadianceMap, sample: &Sample, views: &LightViewImage) -> f32 {
     if params.shares_hemisphere() {
         return sample.share_sr;
     }
@@ -176,7 +171,7 @@ fn reflected(views: &LightViewImage, texel: usize) -> (Vec3, Vec3) {
 
 /// The mean of [`reflected`] over a cell of a view: texels without a photon count as dark.
 fn mean(
-    params: &DirectRadianceMapParams,
+    params: &DirectRadianceMap,
     views: &LightViewImage,
     frame: usize,
     cell: u32,

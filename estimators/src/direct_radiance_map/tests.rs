@@ -5,7 +5,7 @@ use super::math::{
     omega_published,
 };
 use super::samples::samples;
-use super::{DirectRadianceMapParams, Method, Quantity, SolidAngle, Surface, TexelOf};
+use super::{DirectRadianceMap, Method, Quantity, SolidAngle, Surface, TexelOf};
 use interreflect_scene::params::Fidelity;
 use interreflect_scene::{Bounds, Light, SceneFacts};
 use std::f64::consts::PI;
@@ -77,11 +77,11 @@ fn samples_are_the_texels_at_the_middles_of_cells() {
         intensity: glam::Vec3::ONE,
     };
     let frames = light.frames(0, &Bounds::default());
-    let params = |w, n, texel| DirectRadianceMapParams {
+    let params = |w, n, texel| DirectRadianceMap {
         map_resolution: w,
         samples_per_side: n,
         texel,
-        ..DirectRadianceMapParams::default()
+        ..DirectRadianceMap::default()
     };
     let all = samples(&params(5, 5, TexelOf::Grid), &frames);
     assert!(all.iter().enumerate().all(|(i, s)| s.texel as usize == i));
@@ -101,7 +101,7 @@ fn needs_are_no_more_than_the_formula_knows() {
         lights: 1,
         ..SceneFacts::default()
     };
-    let channels = |params: &DirectRadianceMapParams| {
+    let channels = |params: &DirectRadianceMap| {
         let needs = super::DirectRadianceMap::needs(params, Quantity::Irradiance, &lit).unwrap();
         needs.light_views.first().unwrap().channels
     };
@@ -110,19 +110,19 @@ fn needs_are_no_more_than_the_formula_knows() {
         (SolidAngle::Eq14, true),
         (SolidAngle::Eq15, false),
     ] {
-        let params = DirectRadianceMapParams {
+        let params = DirectRadianceMap {
             solid_angle,
-            ..DirectRadianceMapParams::default()
+            ..DirectRadianceMap::default()
         };
         let found = channels(&params);
         assert!(found.normal == normal && found.radiance && !found.true_colors);
-        let shining = DirectRadianceMapParams {
+        let shining = DirectRadianceMap {
             surface: Surface::BlinnPhong,
             ..params.clone()
         };
         let found = channels(&shining);
         assert!(found.normal && found.true_colors && !found.radiance);
-        let corrected = DirectRadianceMapParams {
+        let corrected = DirectRadianceMap {
             fidelity: Fidelity::Corrected,
             ..params
         };
@@ -132,7 +132,7 @@ fn needs_are_no_more_than_the_formula_knows() {
 
 #[test]
 fn what_can_not_work_says_why() {
-    let reason = |params: &DirectRadianceMapParams, scene: &SceneFacts| {
+    let reason = |params: &DirectRadianceMap, scene: &SceneFacts| {
         let needs = super::DirectRadianceMap::needs(params, Quantity::Irradiance, scene);
         needs.unwrap_err().to_string()
     };
@@ -141,7 +141,7 @@ fn what_can_not_work_says_why() {
         lights: 1,
         ..SceneFacts::default()
     };
-    let mut params = DirectRadianceMapParams::default();
+    let mut params = DirectRadianceMap::default();
     assert!(reason(&params, &SceneFacts { lights: 0, ..lit }).contains("light"));
     assert!(
         reason(

@@ -1,11 +1,11 @@
 //! What the method claims.
 
-use super::{DIRECTIONS, DirectionalAoParams};
+use super::{DIRECTIONS, DirectionalAo};
 use crate::{Answers, Claim, Quantity};
 use interreflect_scene::params::Fidelity;
 use std::f64::consts::PI;
 
-pub(super) fn claims(params: &DirectionalAoParams, quantity: Quantity) -> Vec<Claim> {
+pub(super) fn claims(params: &DirectionalAo, quantity: Quantity) -> Vec<Claim> {
     let k = f64::from(DIRECTIONS[params.level as usize]);
     // Largest error of an open point over its orientations, measured for each level of the octahedron.
     let open = match params.fidelity {

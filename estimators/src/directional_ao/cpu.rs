@@ -4,22 +4,21 @@ use super::environment::Blurred;
 use super::math::{open_cosine, passes};
 use super::progress::{Progress, Step, WORD, by_words, words};
 use super::sphere::directions;
-use super::{DirectionalAo, DirectionalAoParams, Visibility, environment, values};
-use crate::{Cpu, Estimator, EstimatorError, Inputs, Quantity, Unsupported};
+use super::{DirectionalAo, Visibility, environment, record_names, values};
+use crate::{Cpu, Estimator, EstimatorError, Frame, Inputs, Prepared, Records, Unsupported};
 use glam::Vec3;
 use interreflect_cpu::capture::directional_depth::DirectionalDepths;
 use interreflect_cpu::lane::{Lane, Vector};
 use interreflect_cpu::scene::CpuScene;
-use interreflect_cpu::tiles::{CpuCx, PointLanes, TileKernel};
-use interreflect_scene::{Estimate, LANES, PointLayout, Points};
+use interreflect_cpu::tiles::{PointLanes, TileKernel};
+use interreflect_scene::{LANES, PointLayout, Points};
 use rayon::prelude::*;
 
-/// Visibility and light, kept across frames.
-#[derive(Default)]
-pub struct State {
+/// Visibility and light.
+pub struct Openness {
     progress: Progress,
     bits: Vec<u32>,
-    light: Option<Light>,
+    light: Light,
     blurred: Option<Blurred>,
 }
 
@@ -29,24 +28,11 @@ struct Light {
     values: Vec<[f32; 3]>,
 }
 
-impl State {
-    /// A bit for each direction, a word for each 32 directions and point: word after word, points
-    /// padded to whole blocks.
-    pub fn bits(&self) -> &[u32] {
-        &self.bits
-    }
-
-    /// Points that were evaluated since the start, repetitions counted.
-    pub fn evaluations(&self) -> u64 {
-        self.progress.todo.evaluations
-    }
-}
-
 impl Estimator<Cpu> for DirectionalAo {
-    type State = State;
+    type Prepared = Openness;
 
-    fn supports(params: &DirectionalAoParams, _caps: &()) -> Result<(), Unsupported> {
-        match params.visibility {
+    fn supports(&self, _caps: &()) -> Result<(), Unsupported> {
+        match self.visibility {
             Visibility::Queries => Err(Unsupported(
                 "directional_ao: occlusion queries are the GPU's; use visibility=depth_map or rays \
                  on the CPU"
@@ -57,49 +43,57 @@ impl Estimator<Cpu> for DirectionalAo {
     }
 
     fn prepare(
-        params: &DirectionalAoParams,
-        state: &mut State,
-        cx: &mut &CpuCx,
-        quantity: Quantity,
-        inputs: &Inputs<'_, Cpu>,
-        _out: &Estimate,
-    ) -> Result<(), EstimatorError> {
-        let (steps, forget) = state.progress.begin(params, inputs);
-        let stride = inputs.points.block_count() * LANES;
-        if forget || state.bits.is_empty() {
-            state.bits.clear();
-            state.bits.resize(stride * words(params.level), 0);
+        &self,
+        frame: &mut Frame<'_, Cpu>,
+        last: Option<Openness>,
+    ) -> Result<Openness, EstimatorError> {
+        let (mut progress, mut bits, mut blurred) = match last {
+            Some(last) => (last.progress, last.bits, last.blurred),
+            None => (Progress::default(), Vec::new(), None),
+        };
+        let begun = progress.begin(self, frame);
+        let points = frame.points;
+        let stride = points.block_count() * LANES;
+        if begun.forget || bits.is_empty() {
+            bits.clear();
+            bits.resize(stride * words(self.level), 0);
         }
-        let source = Source::new(params, inputs)?;
-        for step in &steps {
-            cx.install(|| look(&mut state.bits, stride, step, inputs.points, &source));
+        let source = Source::new(self, frame)?;
+        for step in &begun.steps {
+            let looked = || look(&mut bits, stride, step, points, &source);
+            frame.cx.install(looked);
         }
-        let level = state.progress.level().ok_or(EstimatorError::Unprepared)?;
-        let light = environment(quantity, inputs)?;
-        let values = cx.install(|| values(params, level, light, &mut state.blurred));
-        state.light = Some(Light {
-            towards: directions(level),
-            values,
-        });
+        let light = environment(frame)?;
+        let values = || values(self, begun.level, light, &mut blurred);
+        let light = Light {
+            values: frame.cx.install(values),
+            towards: directions(begun.level),
+        };
+        Ok(Openness {
+            progress,
+            bits,
+            light,
+            blurred,
+        })
+    }
+}
+
+impl Prepared<Cpu> for Openness {
+    fn shade(&self, frame: &mut Frame<'_, Cpu>) -> Result<(), EstimatorError> {
+        let sum = Sum {
+            light: &self.light,
+            bits: &self.bits,
+            stride: frame.points.block_count() * LANES,
+        };
+        frame.for_each_tile(&sum);
         Ok(())
     }
 
-    fn shade(
-        _params: &DirectionalAoParams,
-        state: &mut State,
-        cx: &mut &CpuCx,
-        _quantity: Quantity,
-        inputs: &Inputs<'_, Cpu>,
-        out: &mut Estimate,
-    ) -> Result<(), EstimatorError> {
-        let light = state.light.as_ref().ok_or(EstimatorError::Unprepared)?;
-        let sum = Sum {
-            light,
-            bits: &state.bits,
-            stride: inputs.points.block_count() * LANES,
-        };
-        cx.for_each_tile(inputs.points, out, &sum);
-        Ok(())
+    fn records(&self, _caps: &()) -> Result<Vec<Records>, EstimatorError> {
+        Ok(vec![
+            Records::bits(record_names::VISIBILITY, self.bits.clone()),
+            Records::count(record_names::EVALUATIONS, self.progress.evaluations()),
+        ])
     }
 }
 
@@ -114,11 +108,11 @@ enum Source<'a> {
 }
 
 impl<'a> Source<'a> {
-    fn new(params: &DirectionalAoParams, inputs: &Inputs<'a, Cpu>) -> Result<Self, EstimatorError> {
-        Ok(match (inputs.scene.occluders, params.visibility) {
+    fn new(method: &DirectionalAo, inputs: &Inputs<'a, Cpu>) -> Result<Self, EstimatorError> {
+        Ok(match (inputs.scene.occluders, method.visibility) {
             (false, _) => Self::Open,
             (true, Visibility::Rays) => Self::Rays(inputs.light_transport()?),
-            (true, _) => Self::Maps(inputs.depths(&params.depths())?, params.margin()),
+            (true, _) => Self::Maps(inputs.depths(&method.depths())?, method.margin()),
         })
     }
 

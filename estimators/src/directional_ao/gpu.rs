@@ -3,12 +3,11 @@
 use super::environment::Blurred;
 use super::progress::{Progress, Step, WORD, by_words, words};
 use super::sphere::{DIRECTIONS, MAX_LEVEL, directions};
-use super::{DirectionalAo, DirectionalAoParams, Visibility, environment, values};
-use crate::{Estimator, EstimatorError, Gpu, Inputs, Quantity, Unsupported};
+use super::{DirectionalAo, Visibility, environment, record_names, values};
+use crate::{Estimator, EstimatorError, Frame, Gpu, Inputs, Kernels, Records, Unsupported};
 use bytemuck::{Pod, Zeroable};
 use interreflect_gpu::{
-    Binding, GpuContext, GpuCx, GpuDepthMaps, GpuEstimate, Kernel, MAX_QUERIES, Shader, wgsl,
-    workgroup_grid,
+    Binding, GpuContext, GpuDepthMaps, Kernel, MAX_QUERIES, Shader, wgsl, workgroup_grid,
 };
 use interreflect_scene::LANES;
 
@@ -33,33 +32,14 @@ const SHADE: Shader = Shader {
 
 const MAX_DIRECTIONS: usize = DIRECTIONS[MAX_LEVEL as usize] as usize;
 
-/// Visibility, light and kernel, kept across frames.
-#[derive(Default)]
-pub struct State {
+/// Visibility, light and kernel.
+pub struct Openness {
     progress: Progress,
     /// As on the CPU.
-    bits: Option<wgpu::Buffer>,
+    bits: wgpu::Buffer,
     maps: Option<GpuDepthMaps>,
     blurred: Option<Blurred>,
-    shade: Option<Kernel>,
-}
-
-impl State {
-    /// As on the CPU, read back; empty before the first frame.
-    ///
-    /// # Errors
-    /// [`EstimatorError`] if the device fails.
-    pub fn bits(&self, context: &GpuContext) -> Result<Vec<u32>, EstimatorError> {
-        match &self.bits {
-            Some(bits) => Ok(context.read_buffer(bits)?),
-            None => Ok(Vec::new()),
-        }
-    }
-
-    /// Points that were evaluated since the start, repetitions counted.
-    pub fn evaluations(&self) -> u64 {
-        self.progress.todo.evaluations
-    }
+    shade: Kernel,
 }
 
 /// As `Batch` in visibility.wgsl.
@@ -94,12 +74,12 @@ struct Light {
 }
 
 impl Estimator<Gpu> for DirectionalAo {
-    type State = State;
+    type Prepared = Openness;
 
     const SHADERS: &'static [Shader] = &[VISIBILITY, SHADE];
 
-    fn supports(params: &DirectionalAoParams, _caps: &GpuContext) -> Result<(), Unsupported> {
-        match params.visibility {
+    fn supports(&self, _caps: &GpuContext) -> Result<(), Unsupported> {
+        match self.visibility {
             Visibility::Rays => Err(Unsupported(
                 "directional_ao: rays are the CPU's; use visibility=depth_map or queries on the GPU"
                     .into(),
@@ -109,53 +89,57 @@ impl Estimator<Gpu> for DirectionalAo {
     }
 
     fn prepare(
-        params: &DirectionalAoParams,
-        state: &mut State,
-        cx: &mut GpuCx,
-        quantity: Quantity,
-        inputs: &Inputs<'_, Gpu>,
-        out: &GpuEstimate,
-    ) -> Result<(), EstimatorError> {
-        let (steps, forget) = state.progress.begin(params, inputs);
-        let context = cx.context().clone();
-        let stride = inputs.host_points.block_count() * LANES;
-        let count = stride * words(params.level);
+        &self,
+        frame: &mut Frame<'_, Gpu>,
+        last: Option<Openness>,
+    ) -> Result<Openness, EstimatorError> {
+        let (mut progress, bits, mut maps, mut blurred) = match last {
+            Some(last) => (last.progress, Some(last.bits), last.maps, last.blurred),
+            None => (Progress::default(), None, None, None),
+        };
+        let begun = progress.begin(self, frame);
+        let context = frame.context().clone();
+        let stride = frame.host_points.block_count() * LANES;
+        let count = stride * words(self.level);
         let fits = |b: &wgpu::Buffer| b.size() == 4 * count.max(1) as u64;
-        match state.bits.as_ref().filter(|b| fits(b)) {
-            Some(bits) if forget => cx.encoder().clear_buffer(bits, 0, None),
-            Some(_) => {}
-            None => {
-                let zeros = context.storage_zeroed("directional_ao visibility", 4 * count as u64);
-                state.bits = Some(zeros?);
+        let bits = match bits.filter(fits) {
+            Some(bits) => {
+                if begun.forget {
+                    frame.cx.encoder().clear_buffer(&bits, 0, None);
+                }
+                bits
             }
+            None => context.storage_zeroed("directional_ao visibility", 4 * count as u64)?,
+        };
+        for step in &begun.steps {
+            self.look(frame, (&mut maps, &bits, stride), step)?;
         }
-        let bits = state.bits.as_ref().ok_or(EstimatorError::Unprepared)?;
-        let maps = &mut state.maps;
-        for step in &steps {
-            look(params, (maps, bits, stride), cx, step, inputs)?;
-        }
-        let level = state.progress.level().ok_or(EstimatorError::Unprepared)?;
-        let from_afar = environment(quantity, inputs)?;
-        let values = values(params, level, from_afar, &mut state.blurred);
-        let light = light(level, stride, &values);
+        let values = values(self, begun.level, environment(frame)?, &mut blurred);
+        let light = light(begun.level, stride, &values);
         let light = context.uniform("directional_ao light", &light)?;
-        let [points, info, estimate] = inputs.points.bindings(out);
-        let bindings = [points, info, estimate, (&light).into(), bits.into()];
-        state.shade = Some(context.kernel(&SHADE, "shade", &bindings)?);
-        Ok(())
+        let [points, info, estimate] = frame.point_bindings();
+        let bindings = [points, info, estimate, (&light).into(), (&bits).into()];
+        let shade = context.kernel(&SHADE, "shade", &bindings)?;
+        Ok(Openness {
+            progress,
+            bits,
+            maps,
+            blurred,
+            shade,
+        })
+    }
+}
+
+impl Kernels for Openness {
+    fn kernels(&self) -> &[Kernel] {
+        std::slice::from_ref(&self.shade)
     }
 
-    fn shade(
-        _params: &DirectionalAoParams,
-        state: &mut State,
-        cx: &mut GpuCx,
-        _quantity: Quantity,
-        inputs: &Inputs<'_, Gpu>,
-        _out: &mut GpuEstimate,
-    ) -> Result<(), EstimatorError> {
-        let shade = state.shade.as_ref().ok_or(EstimatorError::Unprepared)?;
-        shade.record(cx, inputs.points.workgroups());
-        Ok(())
+    fn records(&self, context: &GpuContext) -> Result<Vec<Records>, EstimatorError> {
+        Ok(vec![
+            Records::bits(record_names::VISIBILITY, context.read_buffer(&self.bits)?),
+            Records::count(record_names::EVALUATIONS, self.progress.evaluations()),
+        ])
     }
 }
 
@@ -176,85 +160,82 @@ fn light(level: u32, stride: usize, values: &[[f32; 3]]) -> Light {
     light
 }
 
-/// Records the looks along the directions of a step, as many at a time as there are depth maps.
-fn look(
-    params: &DirectionalAoParams,
-    (maps, bits, stride): (&mut Option<GpuDepthMaps>, &wgpu::Buffer, usize),
-    cx: &mut GpuCx,
-    step: &Step,
-    inputs: &Inputs<'_, Gpu>,
-) -> Result<(), EstimatorError> {
-    let context = cx.context().clone();
-    let towards = directions(MAX_LEVEL);
-    let queries = params.visibility == Visibility::Queries;
-    check_queries(params, step, inputs)?;
-    let depths = match inputs.scene.occluders {
-        true => Some(inputs.depths(&params.depths())?),
-        false => None,
-    };
-    if depths.is_some()
-        && maps
-            .as_ref()
-            .is_none_or(|m| m.size() != params.map_resolution)
-    {
-        *maps = Some(GpuDepthMaps::new(&context, params.map_resolution)?);
-    }
-    let todo = context.storage("directional_ao points", &step.points)?;
-    for range in by_words(step.directions.clone()) {
-        let count = range.len() as u32;
-        let batch = Batch {
-            first: (range.start % WORD) as u32,
-            count,
-            word: (range.start / WORD * stride) as u32,
-            todo: step.points.len() as u32,
-            margin: params.margin(),
+impl DirectionalAo {
+    /// Records the looks along the directions of a step, as many at a time as there are depth maps.
+    fn look(
+        &self,
+        frame: &mut Frame<'_, Gpu>,
+        (maps, bits, stride): (&mut Option<GpuDepthMaps>, &wgpu::Buffer, usize),
+        step: &Step,
+    ) -> Result<(), EstimatorError> {
+        let (context, gpu_points) = (frame.context().clone(), frame.points);
+        let towards = directions(MAX_LEVEL);
+        let queries = self.visibility == Visibility::Queries;
+        self.check_queries(frame, step)?;
+        let depths = match frame.scene.occluders {
+            true => Some(frame.depths(&self.depths())?),
+            false => None,
         };
-        let batch = context.uniform("directional_ao batch", &batch)?;
-        let [points, info] = inputs.points.inputs();
-        let mut bindings = [Binding::None; 9];
-        (bindings[0], bindings[1]) = (points, info);
-        bindings[5..8].copy_from_slice(&[(&todo).into(), bits.into(), (&batch).into()]);
-        let groups = workgroup_grid(step.points.len().div_ceil(LANES));
-        let (Some(depths), Some(maps)) = (depths, maps.as_ref()) else {
+        if depths.is_some()
+            && maps
+                .as_ref()
+                .is_none_or(|m| m.size() != self.map_resolution)
+        {
+            *maps = Some(GpuDepthMaps::new(&context, self.map_resolution)?);
+        }
+        let todo = context.storage("directional_ao points", &step.points)?;
+        for range in by_words(step.directions.clone()) {
+            let count = range.len() as u32;
+            let batch = Batch {
+                first: (range.start % WORD) as u32,
+                count,
+                word: (range.start / WORD * stride) as u32,
+                todo: step.points.len() as u32,
+                margin: self.margin(),
+            };
+            let batch = context.uniform("directional_ao batch", &batch)?;
+            let [points, info] = gpu_points.inputs();
+            let mut bindings = [Binding::None; 9];
+            (bindings[0], bindings[1]) = (points, info);
+            bindings[5..8].copy_from_slice(&[(&todo).into(), bits.into(), (&batch).into()]);
+            let groups = workgroup_grid(step.points.len().div_ceil(LANES));
+            let (Some(depths), Some(maps)) = (depths, maps.as_ref()) else {
+                context
+                    .kernel(&VISIBILITY, "all_open", &bindings)?
+                    .record(frame.cx, groups);
+                continue;
+            };
+            let frames = depths.record(frame.cx, maps, &towards[range])?;
+            (bindings[3], bindings[4]) = ((&frames).into(), maps.view().into());
+            let answers;
+            let entry = match queries {
+                true => {
+                    answers = depths.queries(frame.cx, maps, (&frames, count), gpu_points)?;
+                    bindings[8] = (&answers).into();
+                    "take_answers"
+                }
+                false => "look_into_maps",
+            };
             context
-                .kernel(&VISIBILITY, "all_open", &bindings)?
-                .record(cx, groups);
-            continue;
-        };
-        let frames = depths.record(cx, maps, &towards[range])?;
-        (bindings[3], bindings[4]) = ((&frames).into(), maps.view().into());
-        let answers;
-        let entry = match queries {
-            true => {
-                answers = depths.queries(cx, maps, (&frames, count), inputs.points)?;
-                bindings[8] = (&answers).into();
-                "take_answers"
-            }
-            false => "look_into_maps",
-        };
-        context
-            .kernel(&VISIBILITY, entry, &bindings)?
-            .record(cx, groups);
+                .kernel(&VISIBILITY, entry, &bindings)?
+                .record(frame.cx, groups);
+        }
+        Ok(())
     }
-    Ok(())
-}
 
-/// A driver answers each query by itself: where there are too many, a look into the map is the way.
-fn check_queries(
-    params: &DirectionalAoParams,
-    step: &Step,
-    inputs: &Inputs<'_, Gpu>,
-) -> Result<(), EstimatorError> {
-    let (points, directions) = (inputs.points.len(), step.directions.len());
-    let queries = points * directions;
-    if params.visibility != Visibility::Queries || queries <= MAX_QUERIES {
-        return Ok(());
-    }
-    Err(EstimatorError::Unsupported(Unsupported(format!(
-        "directional_ao: {points} points in {directions} directions take {queries} occlusion \
+    /// A driver answers each query by itself: where there are too many, a look into the map is the way.
+    fn check_queries(&self, inputs: &Inputs<'_, Gpu>, step: &Step) -> Result<(), EstimatorError> {
+        let (points, directions) = (inputs.points.len(), step.directions.len());
+        let queries = points * directions;
+        if self.visibility != Visibility::Queries || queries <= MAX_QUERIES {
+            return Ok(());
+        }
+        Err(EstimatorError::Unsupported(Unsupported(format!(
+            "directional_ao: {points} points in {directions} directions take {queries} occlusion \
          queries, and beyond {MAX_QUERIES} a driver answers too slowly; use visibility=depth_map, a \
          lower level or fewer points"
-    ))))
+        ))))
+    }
 }
 
 #[cfg(test)]

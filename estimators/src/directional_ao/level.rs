@@ -1,6 +1,6 @@
 //! Which level a frame is evaluated at (P5, §4.2).
 
-use super::DirectionalAoParams;
+use super::DirectionalAo;
 
 /// Cost of a level over that of the one below: four times the directions.
 const COST_RATIO: f64 = 4.0;
@@ -10,19 +10,19 @@ const COST_RATIO: f64 = 4.0;
 /// frame rate it falls by one where the last frame took too long, and rises only where the next level
 /// can be expected to fit.
 pub(super) fn next(
-    params: &DirectionalAoParams,
+    method: &DirectionalAo,
     last: Option<u32>,
     last_ms: Option<f64>,
     moved: bool,
 ) -> u32 {
     let Some(last) = last else {
-        return params.level;
+        return method.level;
     };
     let highest = match moved {
-        true => params.level.min(params.moving_level),
-        false => params.level,
+        true => method.level.min(method.moving_level),
+        false => method.level,
     };
-    let budget_ms = match params.target_fps {
+    let budget_ms = match method.target_fps {
         fps if fps > 0.0 => 1e3 / f64::from(fps),
         _ => f64::INFINITY,
     };
@@ -42,10 +42,10 @@ mod tests {
 
     #[test]
     fn levels_fall_in_motion_and_rise_at_rest() {
-        let params = DirectionalAoParams {
+        let params = DirectionalAo {
             level: 3,
             moving_level: 1,
-            ..DirectionalAoParams::default()
+            ..DirectionalAo::default()
         };
         assert_eq!(next(&params, None, None, true), 3);
         assert_eq!(next(&params, Some(3), Some(5.0), true), 1);
@@ -57,10 +57,10 @@ mod tests {
 
     #[test]
     fn a_frame_rate_is_held() {
-        let params = DirectionalAoParams {
+        let params = DirectionalAo {
             level: 4,
             target_fps: 50.0,
-            ..DirectionalAoParams::default()
+            ..DirectionalAo::default()
         };
         assert_eq!(next(&params, Some(3), Some(21.0), true), 2);
         assert_eq!(

@@ -11,7 +11,7 @@ pub mod math;
 mod params;
 mod progress;
 mod sphere;
-mod todo;
+mod worklist;
 
 use crate::{
     Backend, Claim, EstimatorError, Info, Inputs, Method, OwnModel, Quantity, Unsupported,
@@ -23,17 +23,10 @@ use interreflect_scene::params::Fidelity;
 use interreflect_scene::{DirectionalDepthSpec, Environment, Needs, SceneFacts};
 use std::f64::consts::{FRAC_1_PI, PI};
 
-pub use cpu::State as CpuState;
-pub use gpu::State as GpuState;
-pub use params::{Bias, DirectionalAoParams, Visibility};
+pub use params::{Bias, DirectionalAo, Visibility};
 pub use sphere::{DIRECTIONS, MAX_LEVEL, directions};
 
-/// The method.
-pub struct DirectionalAo;
-
 impl Method for DirectionalAo {
-    type Params = DirectionalAoParams;
-
     const INFO: Info = Info {
         id: "directional_ao",
         title: "Ambient occlusion from many directions",
@@ -43,11 +36,7 @@ impl Method for DirectionalAo {
 
     const QUANTITIES: &'static [Quantity] = &[Quantity::AmbientOcclusion, Quantity::Irradiance];
 
-    fn needs(
-        params: &Self::Params,
-        quantity: Quantity,
-        scene: &SceneFacts,
-    ) -> Result<Needs, Unsupported> {
+    fn needs(&self, quantity: Quantity, scene: &SceneFacts) -> Result<Needs, Unsupported> {
         let coloured = quantity == Quantity::Irradiance;
         if coloured && !scene.environment {
             return Err(Unsupported(
@@ -56,8 +45,8 @@ impl Method for DirectionalAo {
                     .into(),
             ));
         }
-        let rays = params.visibility == Visibility::Rays;
-        let maps = (scene.occluders && !rays).then(|| params.depths());
+        let rays = self.visibility == Visibility::Rays;
+        let maps = (scene.occluders && !rays).then(|| self.depths());
         Ok(Needs {
             directional_depths: maps.into_iter().collect(),
             environment: coloured,
@@ -66,19 +55,19 @@ impl Method for DirectionalAo {
         })
     }
 
-    fn model(_params: &Self::Params, quantity: Quantity) -> OwnModel {
+    fn model(&self, quantity: Quantity) -> OwnModel {
         match quantity {
             Quantity::Irradiance => OwnModel::OccludedEnvironment,
             _ => OwnModel::LightTransport(LightPaths::default()),
         }
     }
 
-    fn claims(params: &Self::Params, quantity: Quantity) -> Vec<Claim> {
-        claims::claims(params, quantity)
+    fn claims(&self, quantity: Quantity) -> Vec<Claim> {
+        claims::claims(self, quantity)
     }
 }
 
-impl DirectionalAoParams {
+impl DirectionalAo {
     /// The depth maps that points are tested against.
     fn depths(&self) -> DirectionalDepthSpec {
         DirectionalDepthSpec {
@@ -99,24 +88,23 @@ impl DirectionalAoParams {
 
 /// The environment, where its light is asked for.
 fn environment<'a, B: Backend>(
-    quantity: Quantity,
     inputs: &Inputs<'a, B>,
 ) -> Result<Option<&'a Environment>, EstimatorError> {
-    let coloured = quantity == Quantity::Irradiance;
+    let coloured = inputs.quantity == Quantity::Irradiance;
     coloured.then(|| inputs.environment()).transpose()
 }
 
 /// What an open direction counts, times its cosine: (1/π)·w_j for openness, I_j·w_j for the irradiance
 /// of an environment (P5, the sum over M_ij). It is blurred again only if it is another image.
 fn values(
-    params: &DirectionalAoParams,
+    method: &DirectionalAo,
     level: u32,
     environment: Option<&Environment>,
     blurred: &mut Option<Blurred>,
 ) -> Vec<[f32; 3]> {
     let uniform = 4.0 * PI / f64::from(DIRECTIONS[level as usize]);
     let weights = sphere::weights_sr(level).into_iter();
-    let weights = weights.map(|weight| match params.fidelity {
+    let weights = weights.map(|weight| match method.fidelity {
         Fidelity::Published => uniform,
         Fidelity::Corrected => weight,
     });
@@ -127,8 +115,8 @@ fn values(
             .collect();
     };
     let made = blurred.take();
-    let made = made.filter(|b| b.is_of(environment, params.blur_deg));
-    let made = made.unwrap_or_else(|| Blurred::new(environment, params.blur_deg));
+    let made = made.filter(|b| b.is_of(environment, method.blur_deg));
+    let made = made.unwrap_or_else(|| Blurred::new(environment, method.blur_deg));
     let radiance = |towards| made.radiance(environment, towards).as_dvec3();
     let pairs = directions(level).into_iter().zip(weights);
     let values = pairs
@@ -136,4 +124,13 @@ fn values(
         .collect();
     *blurred = Some(made);
     values
+}
+
+/// The names of what both backends show of themselves.
+mod record_names {
+    /// A bit for each direction, a word for each 32 directions and point: word after word, points
+    /// padded to whole blocks.
+    pub(super) const VISIBILITY: &str = "visibility bits";
+    /// Points that were evaluated since the start, repetitions counted.
+    pub(super) const EVALUATIONS: &str = "evaluations";
 }

@@ -41,7 +41,7 @@ impl Choice for Visibility {
 
 /// Parameters of [`super::DirectionalAo`].
 #[derive(Clone, Debug, PartialEq)]
-pub struct DirectionalAoParams {
+pub struct DirectionalAo {
     /// s: how often the octahedron of directions is subdivided.
     pub level: u32,
     /// Texels along the edge of a depth map.
@@ -62,7 +62,7 @@ pub struct DirectionalAoParams {
     pub fidelity: Fidelity,
 }
 
-impl Default for DirectionalAoParams {
+impl Default for DirectionalAo {
     fn default() -> Self {
         Self {
             level: 2,
@@ -78,7 +78,7 @@ impl Default for DirectionalAoParams {
     }
 }
 
-impl Params for DirectionalAoParams {
+impl Params for DirectionalAo {
     fn fields() -> Vec<Field<Self>> {
         let mut fields = looks();
         fields.extend(frames());
@@ -91,13 +91,13 @@ impl Params for DirectionalAoParams {
 }
 
 /// How one frame looks.
-fn looks() -> Vec<Field<DirectionalAoParams>> {
+fn looks() -> Vec<Field<DirectionalAo>> {
     vec![
         Field::u32(
             "level",
             "how often the octahedron of directions is subdivided: 6, 18, 66, 258, 1026 directions",
             0..=MAX_LEVEL,
-            |p: &DirectionalAoParams| p.level,
+            |p: &DirectionalAo| p.level,
             |p, v| p.level = v,
         )
         .symbol("s"),
@@ -105,7 +105,7 @@ fn looks() -> Vec<Field<DirectionalAoParams>> {
             "map_resolution",
             "texels along the edge of a depth map",
             8..=2048,
-            |p: &DirectionalAoParams| p.map_resolution,
+            |p: &DirectionalAo| p.map_resolution,
             |p, v| p.map_resolution = v,
         )
         .unit("texels")
@@ -113,21 +113,21 @@ fn looks() -> Vec<Field<DirectionalAoParams>> {
         Field::choice(
             "bias",
             "what keeps a depth map from occluding the surface that it shows",
-            |p: &DirectionalAoParams| p.bias,
+            |p: &DirectionalAo| p.bias,
             |p, v| p.bias = v,
         ),
         Field::choice(
             "visibility",
             "how a point is found open: a look into the depth map, an occlusion query (GPU), or a \
              ray (CPU)",
-            |p: &DirectionalAoParams| p.visibility,
+            |p: &DirectionalAo| p.visibility,
             |p, v| p.visibility = v,
         ),
         Field::f32(
             "blur_deg",
             "standard deviation of the Gaussian that blurs the environment before it is sampled",
             0.0..=90.0,
-            |p: &DirectionalAoParams| p.blur_deg,
+            |p: &DirectionalAo| p.blur_deg,
             |p, v| p.blur_deg = v,
         )
         .symbol("σ")
@@ -136,26 +136,26 @@ fn looks() -> Vec<Field<DirectionalAoParams>> {
 }
 
 /// What is saved from frame to frame.
-fn frames() -> Vec<Field<DirectionalAoParams>> {
+fn frames() -> Vec<Field<DirectionalAo>> {
     vec![
         Field::bool(
             "filter",
             "evaluate only vertices that are about to be seen (sequences shaded at vertices)",
-            |p: &DirectionalAoParams| p.filter,
+            |p: &DirectionalAo| p.filter,
             |p, v| p.filter = v,
         ),
         Field::u32(
             "moving_level",
             "highest level while surfaces move; refined by one level a frame when they rest",
             0..=MAX_LEVEL,
-            |p: &DirectionalAoParams| p.moving_level,
+            |p: &DirectionalAo| p.moving_level,
             |p, v| p.moving_level = v,
         ),
         Field::f32(
             "target_fps",
             "frames per second that the level is held to, below `level`; 0 for none",
             0.0..=1000.0,
-            |p: &DirectionalAoParams| p.target_fps,
+            |p: &DirectionalAo| p.target_fps,
             |p, v| p.target_fps = v,
         )
         .unit("1/s"),

@@ -1,8 +1,8 @@
 //! What is known of which points, and what a frame adds to it.
 
 use super::sphere::{DIRECTIONS, MAX_LEVEL};
-use super::todo::Todo;
-use super::{DirectionalAoParams, level};
+use super::worklist::Worklist;
+use super::{DirectionalAo, level};
 use crate::{Backend, Changed, Inputs};
 use std::ops::Range;
 
@@ -17,10 +17,20 @@ pub(super) struct Step {
     pub(super) directions: Range<usize>,
 }
 
+/// A frame that has begun.
+pub(super) struct Begun {
+    /// s: how often the octahedron of directions is subdivided.
+    pub(super) level: u32,
+    /// What is looked at, in order.
+    pub(super) steps: Vec<Step>,
+    /// All that was known is worth nothing.
+    pub(super) forget: bool,
+}
+
 /// What is known, kept across frames.
 #[derive(Default)]
 pub(super) struct Progress {
-    pub(super) todo: Todo,
+    worklist: Worklist,
     /// Level of the last frame.
     level: Option<u32>,
     /// Directions that were looked along for all evaluated points.
@@ -28,39 +38,44 @@ pub(super) struct Progress {
 }
 
 impl Progress {
-    /// Level of the last frame; `None` before the first one.
-    pub(super) fn level(&self) -> Option<u32> {
-        self.level
+    /// Points that were evaluated since the start, repetitions counted.
+    pub(super) fn evaluations(&self) -> u64 {
+        self.worklist.evaluations
     }
 
-    /// Begins a frame: what it has to look at, and whether all that was known is worth nothing.
+    /// Begins a frame: its level, what it has to look at, and whether all that was known is worth
+    /// nothing.
     pub(super) fn begin<B: Backend>(
         &mut self,
-        params: &DirectionalAoParams,
+        method: &DirectionalAo,
         inputs: &Inputs<'_, B>,
-    ) -> (Vec<Step>, bool) {
+    ) -> Begun {
         let moved = inputs.changed.any(Changed::GEOMETRY);
         let forget = moved || inputs.changed.any(Changed::PARAMS | Changed::POINTS);
         if forget {
-            self.todo.forget();
+            self.worklist.forget();
             self.known = 0;
         }
-        let level = level::next(params, self.level, inputs.last_frame_ms, moved);
+        let level = level::next(method, self.level, inputs.last_frame_ms, moved);
         self.level = Some(level);
         let known = self.known;
         self.known = known.max(DIRECTIONS[level as usize] as usize);
         let refined = Step {
-            points: self.todo.done(),
+            points: self.worklist.done(),
             directions: known..self.known,
         };
-        let seen = inputs.seen.filter(|_| params.filter);
+        let seen = inputs.visible.filter(|_| method.filter);
         let new = Step {
-            points: self.todo.take(inputs.host_points.len(), seen),
+            points: self.worklist.take(inputs.host_points.len(), seen),
             directions: 0..self.known,
         };
         let steps = [refined, new].into_iter();
         let steps = steps.filter(|s| !s.points.is_empty() && !s.directions.is_empty());
-        (steps.collect(), forget)
+        Begun {
+            level,
+            steps: steps.collect(),
+            forget,
+        }
     }
 }
 

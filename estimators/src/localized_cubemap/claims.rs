@@ -1,11 +1,11 @@
 //! What the method claims. The bounds beside errors of a formula are measured ones, at the resolution
 //! that they are stated for.
 
-use super::LocalizedCubemapParams;
+use super::LocalizedCubemap;
 use crate::{Answers, Claim, Quantity};
 use interreflect_scene::params::Fidelity;
 
-pub(super) fn claims(params: &LocalizedCubemapParams, quantity: Quantity) -> Vec<Claim> {
+pub(super) fn claims(params: &LocalizedCubemap, quantity: Quantity) -> Vec<Claim> {
     let mut claims = vec![
         Claim::NonNegative,
         Claim::Linear,

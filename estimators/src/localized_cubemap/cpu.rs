@@ -2,93 +2,76 @@
 
 use super::math::{omega_corrected, omega_published, reflectivity_published};
 use super::tables::Tables;
-use super::{LocalizedCubemap, LocalizedCubemapParams, Reflectivity};
-use crate::kept::Kept;
+use super::{LocalizedCubemap, Reflectivity};
 use crate::lobes::lobes;
 use crate::texels::gather::{Cosines, TexelLight, gather};
 use crate::texels::math::{lobe_normalisation, normalised_reflectivity};
 use crate::texels::{Texel, average};
-use crate::{Changed, Cpu, Estimator, EstimatorError, Inputs, Prepared, Quantity, Records};
+use crate::{Cpu, Estimator, EstimatorError, Frame, Prepared, Records};
 use interreflect_cpu::lane::{Lane, Vector};
-use interreflect_cpu::tiles::CpuCx;
-use interreflect_scene::Estimate;
 use interreflect_scene::params::Fidelity;
 use std::f64::consts::FRAC_1_PI;
 
-/// What averaging reads, the texels and the reflectivity's tables, kept across frames.
-#[derive(Default)]
-pub struct State {
-    averaging: Kept<LocalizedCubemapParams, average::Tables>,
-    texels: Option<Vec<Texel>>,
+/// The texels, what averaging reads, and the reflectivity's tables where it is not sampled.
+pub struct Lights {
+    fidelity: Fidelity,
+    averaging: average::Tables,
+    texels: Vec<Texel>,
     reflectivity: Option<Tables>,
 }
 
-impl Prepared<Cpu> for State {
-    fn records(&self, _caps: &()) -> Result<Vec<Records>, EstimatorError> {
-        let texels = self.texels.iter();
-        Ok(texels.map(|t| Records::host("texels", t)).collect())
+impl Estimator<Cpu> for LocalizedCubemap {
+    type Prepared = Lights;
+
+    fn prepare(
+        &self,
+        frame: &mut Frame<'_, Cpu>,
+        last: Option<Lights>,
+    ) -> Result<Lights, EstimatorError> {
+        let (averaging, texels, reflectivity) = match last {
+            Some(last) => (
+                last.averaging,
+                frame.unless_stale(Some(last.texels)),
+                last.reflectivity,
+            ),
+            None => (self.averaging(), None, None),
+        };
+        let texels = match texels {
+            Some(texels) => texels,
+            None => averaging.average(frame.cube(&self.captured(&frame.scene))?),
+        };
+        let reflectivity = match self.reflectivity {
+            Reflectivity::Sample => None,
+            Reflectivity::Table => {
+                let known = reflectivity.as_ref().map(|t| t.lobes.clone());
+                let lobes = lobes(frame, known, |n| n)?;
+                let kept = reflectivity.filter(|t| t.lobes == lobes);
+                Some(kept.unwrap_or_else(|| Tables::new(lobes)))
+            }
+        };
+        Ok(Lights {
+            fidelity: self.fidelity,
+            averaging,
+            texels,
+            reflectivity,
+        })
     }
 }
 
-impl Estimator<Cpu> for LocalizedCubemap {
-    type State = State;
-
-    fn prepare(
-        params: &LocalizedCubemapParams,
-        state: &mut State,
-        _cx: &mut &CpuCx,
-        quantity: Quantity,
-        inputs: &Inputs<'_, Cpu>,
-        _out: &Estimate,
-    ) -> Result<(), EstimatorError> {
-        let stale = inputs.changed.any(Changed::PARAMS | Changed::CAPTURES);
-        if stale || state.texels.is_none() {
-            let captured = inputs.cube(&params.captured(&inputs.scene))?;
-            let averaging = state.averaging.tables(params, || Ok(params.averaging()))?;
-            state.texels = Some(averaging.average(captured));
-        }
-        if params.reflectivity == Reflectivity::Table {
-            let kept = state.reflectivity.as_ref().map(|t| t.lobes.clone());
-            let lobes = lobes(quantity, inputs, kept.clone(), |n| n)?;
-            if kept.as_ref() != Some(&lobes) {
-                state.reflectivity = Some(Tables::new(lobes));
-            }
+impl Prepared<Cpu> for Lights {
+    fn shade(&self, frame: &mut Frame<'_, Cpu>) -> Result<(), EstimatorError> {
+        let texels = &self.texels;
+        match (self.fidelity, &self.reflectivity) {
+            (Fidelity::Published, None) => gather(frame, texels, Published),
+            (Fidelity::Corrected, None) => gather(frame, texels, Corrected),
+            (Fidelity::Published, Some(tables)) => gather(frame, texels, Averaged::<false>(tables)),
+            (Fidelity::Corrected, Some(tables)) => gather(frame, texels, Averaged::<true>(tables)),
         }
         Ok(())
     }
 
-    fn shade(
-        params: &LocalizedCubemapParams,
-        state: &mut State,
-        cx: &mut &CpuCx,
-        quantity: Quantity,
-        inputs: &Inputs<'_, Cpu>,
-        out: &mut Estimate,
-    ) -> Result<(), EstimatorError> {
-        let texels = state.texels.as_ref().ok_or(EstimatorError::Unprepared)?;
-        let at = (quantity, inputs.points);
-        let texels = (inputs.reference_point.to_array(), texels.as_slice());
-        match (params.fidelity, params.reflectivity) {
-            (Fidelity::Published, Reflectivity::Sample) => {
-                gather(cx, at, texels, Published, out);
-            }
-            (Fidelity::Corrected, Reflectivity::Sample) => {
-                gather(cx, at, texels, Corrected, out);
-            }
-            (fidelity, Reflectivity::Table) => {
-                let tables = state.reflectivity.as_ref();
-                let tables = tables.ok_or(EstimatorError::Unprepared)?;
-                match fidelity {
-                    Fidelity::Published => {
-                        gather(cx, at, texels, Averaged::<false>(tables), out);
-                    }
-                    Fidelity::Corrected => {
-                        gather(cx, at, texels, Averaged::<true>(tables), out);
-                    }
-                }
-            }
-        }
-        Ok(())
+    fn records(&self, _caps: &()) -> Result<Vec<Records>, EstimatorError> {
+        Ok(vec![Records::host("texels", &self.texels)])
     }
 }
 

@@ -1,12 +1,11 @@
 //! Localized cube maps on the GPU.
 
 use super::tables::Tables;
-use super::{LocalizedCubemap, LocalizedCubemapParams, Reflectivity};
-use crate::kept::Kept;
+use super::{LocalizedCubemap, Reflectivity};
 use crate::lobes::{MAX_LOBES, lobes};
 use crate::texels::gpu::{AVERAGE, GpuTables, STORAGE, UNIFORM, gather_kernel, gather_parts};
-use crate::{Changed, Estimator, EstimatorError, Gpu, Inputs, Prepared, Quantity, Records};
-use interreflect_gpu::{GpuContext, GpuCx, GpuEstimate, Kernel, Shader};
+use crate::{Estimator, EstimatorError, Frame, Gpu, Kernels, Records};
+use interreflect_gpu::{GpuContext, Kernel, Shader};
 use interreflect_scene::params::Fidelity;
 
 const LEAVES: &str = include_str!("math.wgsl");
@@ -23,13 +22,12 @@ const SHADE: [Shader; 2] = [
     },
 ];
 
-/// What averaging reads, the texels, the reflectivity's tables and the kernel, kept across frames.
-#[derive(Default)]
-pub struct State {
-    averaging: Kept<LocalizedCubemapParams, GpuTables>,
-    texels: Option<wgpu::Buffer>,
-    reflectivity: Option<GpuReflectivity>,
-    shade: Option<Kernel>,
+/// The texels, what averaging reads, the reflectivity's tables and the kernel.
+pub struct Lights {
+    averaging: GpuTables,
+    texels: wgpu::Buffer,
+    reflectivity: GpuReflectivity,
+    shade: Kernel,
 }
 
 /// The reflectivity's tables; empty where it is sampled.
@@ -64,90 +62,83 @@ impl GpuReflectivity {
     }
 }
 
-impl Prepared<Gpu> for State {
-    fn records(&self, context: &GpuContext) -> Result<Vec<Records>, EstimatorError> {
-        let made = self.averaging.made().zip(self.texels.as_ref());
-        let read = |(tables, texels): (&GpuTables, _)| tables.records(context, texels);
-        made.into_iter().map(read).collect()
-    }
-}
-
 impl Estimator<Gpu> for LocalizedCubemap {
-    type State = State;
+    type Prepared = Lights;
 
     const SHADERS: &'static [Shader] = &[AVERAGE, SHADE[0], SHADE[1]];
 
     fn prepare(
-        params: &LocalizedCubemapParams,
-        state: &mut State,
-        cx: &mut GpuCx,
-        quantity: Quantity,
-        inputs: &Inputs<'_, Gpu>,
-        out: &GpuEstimate,
-    ) -> Result<(), EstimatorError> {
-        let stale = inputs.changed.any(Changed::PARAMS | Changed::CAPTURES);
-        let make = || GpuTables::new(cx.context(), &params.averaging());
-        let averaging = state.averaging.tables(params, make)?;
-        if stale || state.texels.is_none() {
-            let captured = inputs.cube(&params.captured(&inputs.scene))?;
-            state.texels = Some(averaging.average(cx, captured)?);
-        }
-        let context = cx.context();
-        let texels = state.texels.as_ref().ok_or(EstimatorError::Unprepared)?;
-        let reflectivity = reflectivity(
-            params,
-            context,
-            state.reflectivity.take(),
-            (quantity, inputs),
-        )?;
-        let reflectivity = state.reflectivity.insert(reflectivity);
+        &self,
+        frame: &mut Frame<'_, Gpu>,
+        last: Option<Lights>,
+    ) -> Result<Lights, EstimatorError> {
+        let (averaging, texels, reflectivity) = match last {
+            Some(last) => (
+                last.averaging,
+                frame.unless_stale(Some(last.texels)),
+                Some(last.reflectivity),
+            ),
+            None => {
+                let averaging = GpuTables::new(frame.context(), &self.averaging())?;
+                (averaging, None, None)
+            }
+        };
+        let texels = match texels {
+            Some(texels) => texels,
+            None => averaging.average(frame.cx, frame.cube(&self.captured(&frame.scene))?)?,
+        };
+        let reflectivity = self.reflectivity_for(frame, reflectivity)?;
         let constants = [
-            ("corrected", params.fidelity == Fidelity::Corrected),
-            ("averaged", params.reflectivity == Reflectivity::Table),
+            ("corrected", self.fidelity == Fidelity::Corrected),
+            ("averaged", self.reflectivity == Reflectivity::Table),
         ];
-        state.shade = Some(gather_kernel(
-            context,
+        let shade = gather_kernel(
+            frame,
             &SHADE,
             &constants.map(|(name, on)| (name, f64::from(u8::from(on)))),
-            (texels, averaging.count()),
-            (quantity, inputs, out),
+            (&texels, averaging.count()),
             &[(&reflectivity.lobes).into(), (&reflectivity.tables).into()],
-        )?);
-        Ok(())
-    }
-
-    fn shade(
-        _params: &LocalizedCubemapParams,
-        state: &mut State,
-        cx: &mut GpuCx,
-        _quantity: Quantity,
-        inputs: &Inputs<'_, Gpu>,
-        _out: &mut GpuEstimate,
-    ) -> Result<(), EstimatorError> {
-        let shade = state.shade.as_ref().ok_or(EstimatorError::Unprepared)?;
-        shade.record(cx, inputs.points.workgroups());
-        Ok(())
+        )?;
+        Ok(Lights {
+            averaging,
+            texels,
+            reflectivity,
+            shade,
+        })
     }
 }
 
-/// The reflectivity's tables, those of the last `prepare` where they still hold.
-fn reflectivity(
-    params: &LocalizedCubemapParams,
-    context: &GpuContext,
-    kept: Option<GpuReflectivity>,
-    (quantity, inputs): (Quantity, &Inputs<'_, Gpu>),
-) -> Result<GpuReflectivity, EstimatorError> {
-    let exponents = match params.reflectivity {
-        Reflectivity::Sample => Vec::new(),
-        Reflectivity::Table => {
-            let known = kept.as_ref().map(|k| k.exponents.clone());
-            lobes(quantity, inputs, known, |n| n)?
+impl LocalizedCubemap {
+    /// The reflectivity's tables: those of the last `prepare` where they still hold.
+    fn reflectivity_for(
+        &self,
+        frame: &Frame<'_, Gpu>,
+        last: Option<GpuReflectivity>,
+    ) -> Result<GpuReflectivity, EstimatorError> {
+        let exponents = match self.reflectivity {
+            Reflectivity::Sample => Vec::new(),
+            Reflectivity::Table => {
+                let known = last.as_ref().map(|last| last.exponents.clone());
+                lobes(frame, known, |n| n)?
+            }
+        };
+        match (last, self.reflectivity) {
+            (Some(last), _) if last.exponents == exponents => Ok(last),
+            (_, Reflectivity::Sample) => GpuReflectivity::new(frame.context(), Tables::default()),
+            (_, Reflectivity::Table) => {
+                GpuReflectivity::new(frame.context(), Tables::new(exponents))
+            }
         }
-    };
-    match (kept, params.reflectivity) {
-        (Some(kept), _) if kept.exponents == exponents => Ok(kept),
-        (_, Reflectivity::Sample) => GpuReflectivity::new(context, Tables::default()),
-        (_, Reflectivity::Table) => GpuReflectivity::new(context, Tables::new(exponents)),
+    }
+}
+
+impl Kernels for Lights {
+    fn kernels(&self) -> &[Kernel] {
+        std::slice::from_ref(&self.shade)
+    }
+
+    fn records(&self, context: &GpuContext) -> Result<Vec<Records>, EstimatorError> {
+        Ok(vec![self.averaging.records(context, &self.texels)?])
     }
 }
 

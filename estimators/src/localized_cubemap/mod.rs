@@ -17,14 +17,9 @@ use interreflect_scene::conventions::{cube_vector, texel_centre, texel_solid_ang
 use interreflect_scene::params::Fidelity;
 use interreflect_scene::{CubeSpec, Needs, SceneFacts};
 
-pub use params::{LocalizedCubemapParams, Reflectivity, SolidAngle};
-
-/// The method.
-pub struct LocalizedCubemap;
+pub use params::{LocalizedCubemap, Reflectivity, SolidAngle};
 
 impl Method for LocalizedCubemap {
-    type Params = LocalizedCubemapParams;
-
     const INFO: Info = Info {
         id: "localized_cubemap",
         title: "Localized cube map",
@@ -33,30 +28,26 @@ impl Method for LocalizedCubemap {
 
     const QUANTITIES: &'static [Quantity] = &[Quantity::Irradiance, Quantity::GlossyRadiance];
 
-    fn needs(
-        params: &Self::Params,
-        _quantity: Quantity,
-        scene: &SceneFacts,
-    ) -> Result<Needs, Unsupported> {
+    fn needs(&self, _quantity: Quantity, scene: &SceneFacts) -> Result<Needs, Unsupported> {
         Ok(Needs {
-            cubes: [params.captured(scene)].into(),
-            keep_within_m: params.recapture_distance,
+            cubes: [self.captured(scene)].into(),
+            keep_within_m: self.recapture_distance,
             ..Needs::default()
         })
     }
 
-    fn model(params: &Self::Params, _quantity: Quantity) -> OwnModel {
+    fn model(&self, _quantity: Quantity) -> OwnModel {
         OwnModel::VisibleFromReference {
-            bounces: params.bounces,
+            bounces: self.bounces,
         }
     }
 
-    fn claims(params: &Self::Params, quantity: Quantity) -> Vec<Claim> {
-        claims::claims(params, quantity)
+    fn claims(&self, quantity: Quantity) -> Vec<Claim> {
+        claims::claims(self, quantity)
     }
 }
 
-impl LocalizedCubemapParams {
+impl LocalizedCubemap {
     /// How the capture is averaged, and what each texel's size is: Δω' in sr in `published`, the
     /// disc's area times its cosine over d² in `corrected`.
     fn averaging(&self) -> Tables {

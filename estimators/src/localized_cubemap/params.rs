@@ -36,7 +36,7 @@ impl Choice for Reflectivity {
 /// The ranges keep the loops of a shader invocation below 65,536 turns together: lavapipe ends them
 /// there without a word.
 #[derive(Clone, Debug, PartialEq)]
-pub struct LocalizedCubemapParams {
+pub struct LocalizedCubemap {
     /// M: texels along a face's edge that shading sums over.
     pub resolution: u32,
     /// Texels along a face's edge when the environment is captured.
@@ -54,7 +54,7 @@ pub struct LocalizedCubemapParams {
     pub reflectivity: Reflectivity,
 }
 
-impl Default for LocalizedCubemapParams {
+impl Default for LocalizedCubemap {
     fn default() -> Self {
         Self {
             resolution: 4,
@@ -68,7 +68,7 @@ impl Default for LocalizedCubemapParams {
     }
 }
 
-impl Params for LocalizedCubemapParams {
+impl Params for LocalizedCubemap {
     fn fields() -> Vec<Field<Self>> {
         vec![
             fields::resolution(|p: &Self| p.resolution, |p, v| p.resolution = v),

@@ -1,10 +1,10 @@
 //! What the method claims.
 
-use super::PathReferenceParams;
+use super::PathReference;
 use crate::{Answers, Claim, Quantity};
 
 /// An unbiased estimate of light transport: what it claims of single points is their noise.
-pub(super) fn claims(params: &PathReferenceParams, quantity: Quantity) -> Vec<Claim> {
+pub(super) fn claims(params: &PathReference, quantity: Quantity) -> Vec<Claim> {
     let noise = 1.0 / f64::from(params.samples).sqrt();
     let mut claims = vec![Claim::NonNegative, Claim::ScaleInvariant];
     if quantity == Quantity::AmbientOcclusion {

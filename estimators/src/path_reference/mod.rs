@@ -5,21 +5,15 @@ mod claims;
 mod params;
 
 use crate::{
-    Claim, Cpu, CpuOnly, Estimator, EstimatorError, Info, Inputs, Method, OwnModel, Quantity,
-    Unsupported,
+    Claim, Cpu, CpuOnly, Estimator, EstimatorError, Frame, Info, Method, OwnModel, Prepared,
+    Quantity, Unsupported,
 };
 use interreflect_cpu::path_tracer::{PathQuantity, REPLICATES, Stop, mean_of_samples, trace};
-use interreflect_cpu::tiles::CpuCx;
-use interreflect_scene::{Estimate, Needs, SceneFacts};
+use interreflect_scene::{Needs, SceneFacts};
 
-pub use params::PathReferenceParams;
-
-/// The method.
-pub struct PathReference;
+pub use params::PathReference;
 
 impl Method for PathReference {
-    type Params = PathReferenceParams;
-
     const INFO: Info = Info {
         id: "path_reference",
         title: "Path-traced reference",
@@ -33,23 +27,19 @@ impl Method for PathReference {
         Quantity::AmbientOcclusion,
     ];
 
-    fn needs(
-        _params: &Self::Params,
-        _quantity: Quantity,
-        _scene: &SceneFacts,
-    ) -> Result<Needs, Unsupported> {
+    fn needs(&self, _quantity: Quantity, _scene: &SceneFacts) -> Result<Needs, Unsupported> {
         Ok(Needs {
             light_transport: true,
             ..Needs::default()
         })
     }
 
-    fn model(params: &Self::Params, _quantity: Quantity) -> OwnModel {
-        OwnModel::LightTransport(params.paths())
+    fn model(&self, _quantity: Quantity) -> OwnModel {
+        OwnModel::LightTransport(self.paths())
     }
 
-    fn claims(params: &Self::Params, quantity: Quantity) -> Vec<Claim> {
-        claims::claims(params, quantity)
+    fn claims(&self, quantity: Quantity) -> Vec<Claim> {
+        claims::claims(self, quantity)
     }
 }
 
@@ -59,33 +49,29 @@ impl CpuOnly for PathReference {
 }
 
 impl Estimator<Cpu> for PathReference {
-    type State = ();
+    type Prepared = Paths;
 
     fn prepare(
-        _params: &PathReferenceParams,
-        _state: &mut (),
-        _cx: &mut &CpuCx,
-        _quantity: Quantity,
-        _inputs: &Inputs<'_, Cpu>,
-        _out: &Estimate,
-    ) -> Result<(), EstimatorError> {
-        Ok(())
+        &self,
+        _frame: &mut Frame<'_, Cpu>,
+        _last: Option<Paths>,
+    ) -> Result<Paths, EstimatorError> {
+        Ok(Paths(self.clone()))
     }
+}
 
-    fn shade(
-        params: &PathReferenceParams,
-        _state: &mut (),
-        cx: &mut &CpuCx,
-        quantity: Quantity,
-        inputs: &Inputs<'_, Cpu>,
-        out: &mut Estimate,
-    ) -> Result<(), EstimatorError> {
-        let scene = inputs.light_transport()?;
-        let seed = u64::from(params.seed);
-        let paths = params.paths();
-        let quantity = path_quantity(quantity);
-        let (points, samples) = (inputs.points, params.samples);
-        let estimate = cx.install(|| match samples < REPLICATES {
+/// The paths that are traced while shading: nothing is prepared.
+pub struct Paths(PathReference);
+
+impl Prepared<Cpu> for Paths {
+    fn shade(&self, frame: &mut Frame<'_, Cpu>) -> Result<(), EstimatorError> {
+        let Self(method) = self;
+        let scene = frame.light_transport()?;
+        let seed = u64::from(method.seed);
+        let paths = method.paths();
+        let quantity = path_quantity(frame.quantity);
+        let (points, samples) = (frame.points, method.samples);
+        let estimate = frame.cx.install(|| match samples < REPLICATES {
             true => mean_of_samples(scene, points, quantity, &paths, samples, seed),
             false => {
                 let stop = Stop {
@@ -95,7 +81,7 @@ impl Estimator<Cpu> for PathReference {
                 trace(scene, points, quantity, &paths, &stop, seed, &|_| {}).mean
             }
         });
-        out.clone_from(&estimate);
+        frame.out.clone_from(&estimate);
         Ok(())
     }
 }

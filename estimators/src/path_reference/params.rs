@@ -5,7 +5,7 @@ use interreflect_scene::params::{Field, Params};
 
 /// Parameters of [`super::PathReference`].
 #[derive(Clone, Debug, PartialEq)]
-pub struct PathReferenceParams {
+pub struct PathReference {
     /// Samples per point; beyond [`REPLICATES`] rounded up to a multiple of it.
     pub samples: u32,
     /// Most reflections between a source and the arrival at a point; 0 = no limit.
@@ -22,7 +22,7 @@ pub struct PathReferenceParams {
     pub seed: u32,
 }
 
-impl Default for PathReferenceParams {
+impl Default for PathReference {
     fn default() -> Self {
         Self {
             samples: 256,
@@ -36,7 +36,7 @@ impl Default for PathReferenceParams {
     }
 }
 
-impl PathReferenceParams {
+impl PathReference {
     /// The light paths that these parameters select.
     pub fn paths(&self) -> LightPaths {
         LightPaths {
@@ -49,7 +49,7 @@ impl PathReferenceParams {
     }
 }
 
-impl Params for PathReferenceParams {
+impl Params for PathReference {
     fn fields() -> Vec<Field<Self>> {
         vec![
             Field::u32(

@@ -1,61 +1,55 @@
 //! Phong-filtered environment maps on the CPU.
 
-use super::{PhongEnvmap, PhongEnvmapParams};
+use super::PhongEnvmap;
 use crate::convolution::cpu::{Convolved, Maps};
 use crate::reflection::Lobes;
 use crate::reflection::math::{fresnel_mix, mirrored, schlick};
-use crate::{Cpu, Estimator, EstimatorError, Inputs, Prepared, Quantity, Records};
+use crate::{Cpu, Estimator, EstimatorError, Frame, Prepared, Quantity, Records};
 use interreflect_cpu::lane::{Lane, Vector};
-use interreflect_cpu::tiles::{CpuCx, PointLanes, TileKernel};
-use interreflect_scene::{Estimate, PointLayout};
+use interreflect_cpu::tiles::{PointLanes, TileKernel};
+use interreflect_scene::PointLayout;
 
-/// The convolved maps, kept across frames.
-#[derive(Default)]
-pub struct State {
+/// The convolved maps.
+pub struct Filtered {
+    f_lambda: f32,
     convolved: Convolved,
     lobes: Lobes,
 }
 
-impl Prepared<Cpu> for State {
-    fn records(&self, _caps: &()) -> Result<Vec<Records>, EstimatorError> {
-        Ok(self.convolved.records())
+impl Estimator<Cpu> for PhongEnvmap {
+    type Prepared = Filtered;
+
+    fn prepare(
+        &self,
+        frame: &mut Frame<'_, Cpu>,
+        last: Option<Filtered>,
+    ) -> Result<Filtered, EstimatorError> {
+        let (last, mut lobes) = match last {
+            Some(last) => (Some(last.convolved), last.lobes),
+            None => (None, Lobes::default()),
+        };
+        let exponents = self.exponents(lobes.needed(frame));
+        Ok(Filtered {
+            f_lambda: self.f_lambda,
+            convolved: Convolved::new(&self.sizes(), frame, exponents, last)?,
+            lobes,
+        })
     }
 }
 
-impl Estimator<Cpu> for PhongEnvmap {
-    type State = State;
-
-    fn prepare(
-        params: &PhongEnvmapParams,
-        state: &mut State,
-        cx: &mut &CpuCx,
-        quantity: Quantity,
-        inputs: &Inputs<'_, Cpu>,
-        _out: &Estimate,
-    ) -> Result<(), EstimatorError> {
-        let exponents = params.exponents(state.lobes.needed(quantity, inputs));
-        state
-            .convolved
-            .update(&params.sizes(), cx, inputs, exponents)
-    }
-
-    fn shade(
-        params: &PhongEnvmapParams,
-        state: &mut State,
-        cx: &mut &CpuCx,
-        quantity: Quantity,
-        inputs: &Inputs<'_, Cpu>,
-        out: &mut Estimate,
-    ) -> Result<(), EstimatorError> {
-        let maps = state.convolved.maps()?;
-        let f_lambda = params.f_lambda;
-        match quantity {
-            Quantity::GlossyRadiance => {
-                cx.for_each_tile(inputs.points, out, &Glossy { maps, f_lambda });
-            }
-            _ => cx.for_each_tile(inputs.points, out, &maps.irradiance),
+impl Prepared<Cpu> for Filtered {
+    fn shade(&self, frame: &mut Frame<'_, Cpu>) -> Result<(), EstimatorError> {
+        let maps = self.convolved.maps();
+        let f_lambda = self.f_lambda;
+        match frame.quantity {
+            Quantity::GlossyRadiance => frame.for_each_tile(&Glossy { maps, f_lambda }),
+            _ => frame.for_each_tile(&maps.irradiance),
         }
         Ok(())
+    }
+
+    fn records(&self, _caps: &()) -> Result<Vec<Records>, EstimatorError> {
+        Ok(self.convolved.records())
     }
 }
 

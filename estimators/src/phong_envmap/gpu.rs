@@ -1,10 +1,10 @@
 //! Phong-filtered environment maps on the GPU.
 
-use super::{PhongEnvmap, PhongEnvmapParams};
-use crate::convolution::gpu as convolution;
+use super::PhongEnvmap;
+use crate::convolution::gpu::{self as convolution, Convolved};
 use crate::reflection::{self, Lobes};
-use crate::{Estimator, EstimatorError, Gpu, Inputs, LOBE_POWER, Prepared, Quantity, Records};
-use interreflect_gpu::{GpuContext, GpuCx, GpuEstimate, Kernel, Shader, wgsl};
+use crate::{Estimator, EstimatorError, Frame, Gpu, Kernels, LOBE_POWER, Quantity, Records};
+use interreflect_gpu::{GpuContext, Kernel, Shader, wgsl};
 
 const SHADE: Shader = Shader {
     label: "phong_envmap shade",
@@ -20,12 +20,11 @@ const SHADE: Shader = Shader {
     ],
 };
 
-/// The convolved maps and the kernel that looks them up, kept across frames.
-#[derive(Default)]
-pub struct State {
-    convolved: convolution::Convolved,
+/// The convolved maps and the kernel that looks them up.
+pub struct Filtered {
+    convolved: Convolved,
     lobes: Lobes,
-    shade: Option<Kernel>,
+    shade: Kernel,
 }
 
 /// As `Shade` in shade.wgsl.
@@ -36,57 +35,51 @@ struct Shade {
     f_lambda: f32,
 }
 
-impl Prepared<Gpu> for State {
-    fn records(&self, context: &GpuContext) -> Result<Vec<Records>, EstimatorError> {
-        self.convolved.records(context)
-    }
-}
-
 impl Estimator<Gpu> for PhongEnvmap {
-    type State = State;
+    type Prepared = Filtered;
 
     const SHADERS: &'static [Shader] = &[convolution::SHADERS[0], convolution::SHADERS[1], SHADE];
 
     fn prepare(
-        params: &PhongEnvmapParams,
-        state: &mut State,
-        cx: &mut GpuCx,
-        quantity: Quantity,
-        inputs: &Inputs<'_, Gpu>,
-        out: &GpuEstimate,
-    ) -> Result<(), EstimatorError> {
-        let lobes = state.lobes.needed(quantity, inputs);
-        let shade = Shade {
-            cells: params.map_resolution,
-            f_lambda: params.f_lambda,
+        &self,
+        frame: &mut Frame<'_, Gpu>,
+        last: Option<Filtered>,
+    ) -> Result<Filtered, EstimatorError> {
+        let context = frame.context().clone();
+        let (last, mut lobes) = match last {
+            Some(last) => (Some(last.convolved), last.lobes),
+            None => (None, Lobes::default()),
         };
-        let shade = cx.context().uniform("phong_envmap shade", &shade)?;
-        let exponents = params.exponents(lobes);
-        let maps = state
-            .convolved
-            .update(&params.sizes(), cx, inputs, exponents)?;
-        let [points, info, estimate] = inputs.points.bindings(out);
-        let bindings = [points, info, estimate, (&shade).into(), maps.into()];
-        let entry = match quantity {
-            Quantity::GlossyRadiance if lobes => "glossy",
+        let shines = lobes.needed(frame);
+        let shade = Shade {
+            cells: self.map_resolution,
+            f_lambda: self.f_lambda,
+        };
+        let shade = context.uniform("phong_envmap shade", &shade)?;
+        let convolved = Convolved::new(&self.sizes(), frame, self.exponents(shines), last)?;
+        let [points, info, estimate] = frame.point_bindings();
+        let maps = convolved.maps().into();
+        let bindings = [points, info, estimate, (&shade).into(), maps];
+        let entry = match frame.quantity {
+            Quantity::GlossyRadiance if shines => "glossy",
             Quantity::GlossyRadiance => "matte",
             _ => "irradiance",
         };
-        state.shade = Some(cx.context().kernel(&SHADE, entry, &bindings)?);
-        Ok(())
+        Ok(Filtered {
+            shade: context.kernel(&SHADE, entry, &bindings)?,
+            convolved,
+            lobes,
+        })
+    }
+}
+
+impl Kernels for Filtered {
+    fn kernels(&self) -> &[Kernel] {
+        std::slice::from_ref(&self.shade)
     }
 
-    fn shade(
-        _params: &PhongEnvmapParams,
-        state: &mut State,
-        cx: &mut GpuCx,
-        _quantity: Quantity,
-        inputs: &Inputs<'_, Gpu>,
-        _out: &mut GpuEstimate,
-    ) -> Result<(), EstimatorError> {
-        let shade = state.shade.as_ref().ok_or(EstimatorError::Unprepared)?;
-        shade.record(cx, inputs.points.workgroups());
-        Ok(())
+    fn records(&self, context: &GpuContext) -> Result<Vec<Records>, EstimatorError> {
+        self.convolved.records(context)
     }
 }
 

@@ -11,14 +11,9 @@ use crate::convolution::{self, Sizes};
 use crate::{Claim, Info, Method, OwnModel, Quantity, Unsupported};
 use interreflect_scene::{CubeSpec, Needs, SceneFacts};
 
-pub use params::PhongEnvmapParams;
-
-/// The method.
-pub struct PhongEnvmap;
+pub use params::PhongEnvmap;
 
 impl Method for PhongEnvmap {
-    type Params = PhongEnvmapParams;
-
     const INFO: Info = Info {
         id: "phong_envmap",
         title: "Phong-filtered environment map",
@@ -28,29 +23,25 @@ impl Method for PhongEnvmap {
 
     const QUANTITIES: &'static [Quantity] = &[Quantity::Irradiance, Quantity::GlossyRadiance];
 
-    fn needs(
-        params: &Self::Params,
-        _quantity: Quantity,
-        _scene: &SceneFacts,
-    ) -> Result<Needs, Unsupported> {
+    fn needs(&self, _quantity: Quantity, _scene: &SceneFacts) -> Result<Needs, Unsupported> {
         Ok(Needs {
-            cubes: [params.sizes().captured].into(),
+            cubes: [self.sizes().captured].into(),
             ..Needs::default()
         })
     }
 
-    fn model(params: &Self::Params, _quantity: Quantity) -> OwnModel {
+    fn model(&self, _quantity: Quantity) -> OwnModel {
         OwnModel::EnvironmentAtInfinity {
-            bounces: params.bounces,
+            bounces: self.bounces,
         }
     }
 
-    fn claims(params: &Self::Params, quantity: Quantity) -> Vec<Claim> {
-        convolution::claims::claims(&params.sizes(), quantity)
+    fn claims(&self, quantity: Quantity) -> Vec<Claim> {
+        convolution::claims::claims(&self.sizes(), quantity)
     }
 }
 
-impl PhongEnvmapParams {
+impl PhongEnvmap {
     /// The captured cube is one of `capture_resolution`, rounded up to a multiple of `resolution`.
     fn sizes(&self) -> Sizes {
         let size = self.capture_resolution.next_multiple_of(self.resolution);

@@ -3,7 +3,7 @@ use interreflect_scene::params::{Field, Params};
 
 /// Parameters of [`super::PhongEnvmap`].
 #[derive(Clone, Debug, PartialEq)]
-pub struct PhongEnvmapParams {
+pub struct PhongEnvmap {
     /// N: the Phong exponent of every specular lobe.
     pub exponent: f32,
     /// Reflectance at normal incidence.
@@ -18,7 +18,7 @@ pub struct PhongEnvmapParams {
     pub bounces: u32,
 }
 
-impl Default for PhongEnvmapParams {
+impl Default for PhongEnvmap {
     fn default() -> Self {
         Self {
             exponent: 225.0,
@@ -31,7 +31,7 @@ impl Default for PhongEnvmapParams {
     }
 }
 
-impl Params for PhongEnvmapParams {
+impl Params for PhongEnvmap {
     fn fields() -> Vec<Field<Self>> {
         vec![
             Field::f32(

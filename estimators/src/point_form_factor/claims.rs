@@ -1,13 +1,13 @@
 //! What the method claims.
 
-use super::PointFormFactorParams;
+use super::PointFormFactor;
 use super::math::point_omega;
 use crate::{Answers, Claim, FormFactorLaw, Quantity};
 use glam::Vec3;
 
 /// Points instead of surfaces: no bound, for they spike near a wall. Reciprocal from middle to middle
 /// by construction.
-pub(super) fn claims(params: &PointFormFactorParams, quantity: Quantity) -> Vec<Claim> {
+pub(super) fn claims(params: &PointFormFactor, quantity: Quantity) -> Vec<Claim> {
     let mut claims = vec![
         Claim::NonNegative,
         Claim::Linear,

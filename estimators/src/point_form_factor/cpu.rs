@@ -1,68 +1,57 @@
 //! Point-to-point form factors on the CPU.
 
+use super::PointFormFactor;
 use super::math::point_omega;
-use super::{PointFormFactor, PointFormFactorParams};
-use crate::kept::Kept;
 use crate::texels::gather::{Cosines, TexelLight, gather};
 use crate::texels::math::{lobe_normalisation, normalised_reflectivity};
 use crate::texels::{Texel, average};
-use crate::{Changed, Cpu, Estimator, EstimatorError, Inputs, Prepared, Quantity, Records};
+use crate::{Cpu, Estimator, EstimatorError, Frame, Prepared, Records};
 use interreflect_cpu::lane::{Lane, Vector};
-use interreflect_cpu::tiles::CpuCx;
-use interreflect_scene::Estimate;
 
-/// What averaging reads, and the texels, kept across frames.
-#[derive(Default)]
-pub struct State {
-    averaging: Kept<PointFormFactorParams, average::Tables>,
-    texels: Option<Vec<Texel>>,
-}
-
-impl Prepared<Cpu> for State {
-    fn records(&self, _caps: &()) -> Result<Vec<Records>, EstimatorError> {
-        let texels = self.texels.iter();
-        Ok(texels.map(|t| Records::host("texels", t)).collect())
-    }
+/// The texels, what averaging reads, and the largest solid angle in sr.
+pub struct Lights {
+    averaging: average::Tables,
+    texels: Vec<Texel>,
+    light: PointLight,
 }
 
 impl Estimator<Cpu> for PointFormFactor {
-    type State = State;
+    type Prepared = Lights;
 
     fn prepare(
-        params: &PointFormFactorParams,
-        state: &mut State,
-        _cx: &mut &CpuCx,
-        _quantity: Quantity,
-        inputs: &Inputs<'_, Cpu>,
-        _out: &Estimate,
-    ) -> Result<(), EstimatorError> {
-        let stale = inputs.changed.any(Changed::PARAMS | Changed::CAPTURES);
-        if stale || state.texels.is_none() {
-            let captured = inputs.cube(&params.captured(&inputs.scene))?;
-            let averaging = state.averaging.tables(params, || Ok(params.averaging()))?;
-            state.texels = Some(averaging.average(captured));
-        }
-        Ok(())
-    }
-
-    fn shade(
-        params: &PointFormFactorParams,
-        state: &mut State,
-        cx: &mut &CpuCx,
-        quantity: Quantity,
-        inputs: &Inputs<'_, Cpu>,
-        out: &mut Estimate,
-    ) -> Result<(), EstimatorError> {
-        let texels = state.texels.as_ref().ok_or(EstimatorError::Unprepared)?;
-        let texels = (inputs.reference_point.to_array(), texels.as_slice());
-        let light = PointLight {
-            largest: params.largest_omega_sr(),
+        &self,
+        frame: &mut Frame<'_, Cpu>,
+        last: Option<Lights>,
+    ) -> Result<Lights, EstimatorError> {
+        let (averaging, texels) = match last {
+            Some(last) => (last.averaging, frame.unless_stale(Some(last.texels))),
+            None => (self.averaging(), None),
         };
-        gather(cx, (quantity, inputs.points), texels, light, out);
-        Ok(())
+        let texels = match texels {
+            Some(texels) => texels,
+            None => averaging.average(frame.cube(&self.captured(&frame.scene))?),
+        };
+        let largest = self.largest_omega_sr();
+        Ok(Lights {
+            averaging,
+            texels,
+            light: PointLight { largest },
+        })
     }
 }
 
+impl Prepared<Cpu> for Lights {
+    fn shade(&self, frame: &mut Frame<'_, Cpu>) -> Result<(), EstimatorError> {
+        gather(frame, &self.texels, self.light);
+        Ok(())
+    }
+
+    fn records(&self, _caps: &()) -> Result<Vec<Records>, EstimatorError> {
+        Ok(vec![Records::host("texels", &self.texels)])
+    }
+}
+
+#[derive(Clone, Copy)]
 struct PointLight {
     /// Largest solid angle in sr.
     largest: f32,

@@ -1,10 +1,9 @@
 //! Point-to-point form factors on the GPU.
 
-use super::{PointFormFactor, PointFormFactorParams};
-use crate::kept::Kept;
+use super::PointFormFactor;
 use crate::texels::gpu::{AVERAGE, GpuTables, STORAGE, UNIFORM, gather_kernel, gather_parts};
-use crate::{Changed, Estimator, EstimatorError, Gpu, Inputs, Prepared, Quantity, Records};
-use interreflect_gpu::{GpuContext, GpuCx, GpuEstimate, Kernel, Shader};
+use crate::{Estimator, EstimatorError, Frame, Gpu, Kernels, Records};
+use interreflect_gpu::{GpuContext, Kernel, Shader};
 
 const LEAVES: &str = include_str!("math.wgsl");
 const LIGHT: &str = include_str!("light.wgsl");
@@ -20,64 +19,48 @@ const SHADE: [Shader; 2] = [
     },
 ];
 
-/// What averaging reads, the texels and the kernel, kept across frames.
-#[derive(Default)]
-pub struct State {
-    averaging: Kept<PointFormFactorParams, GpuTables>,
-    texels: Option<wgpu::Buffer>,
-    shade: Option<Kernel>,
-}
-
-impl Prepared<Gpu> for State {
-    fn records(&self, context: &GpuContext) -> Result<Vec<Records>, EstimatorError> {
-        let made = self.averaging.made().zip(self.texels.as_ref());
-        let read = |(tables, texels): (&GpuTables, _)| tables.records(context, texels);
-        made.into_iter().map(read).collect()
-    }
+/// The texels, what averaging reads, and the kernel.
+pub struct Lights {
+    averaging: GpuTables,
+    texels: wgpu::Buffer,
+    shade: Kernel,
 }
 
 impl Estimator<Gpu> for PointFormFactor {
-    type State = State;
+    type Prepared = Lights;
 
     const SHADERS: &'static [Shader] = &[AVERAGE, SHADE[0], SHADE[1]];
 
     fn prepare(
-        params: &PointFormFactorParams,
-        state: &mut State,
-        cx: &mut GpuCx,
-        quantity: Quantity,
-        inputs: &Inputs<'_, Gpu>,
-        out: &GpuEstimate,
-    ) -> Result<(), EstimatorError> {
-        let stale = inputs.changed.any(Changed::PARAMS | Changed::CAPTURES);
-        let make = || GpuTables::new(cx.context(), &params.averaging());
-        let averaging = state.averaging.tables(params, make)?;
-        if stale || state.texels.is_none() {
-            let captured = inputs.cube(&params.captured(&inputs.scene))?;
-            state.texels = Some(averaging.average(cx, captured)?);
-        }
-        let texels = state.texels.as_ref().ok_or(EstimatorError::Unprepared)?;
-        state.shade = Some(gather_kernel(
-            cx.context(),
-            &SHADE,
-            &[("largest", f64::from(params.largest_omega_sr()))],
-            (texels, averaging.count()),
-            (quantity, inputs, out),
-            &[],
-        )?);
-        Ok(())
+        &self,
+        frame: &mut Frame<'_, Gpu>,
+        last: Option<Lights>,
+    ) -> Result<Lights, EstimatorError> {
+        let (averaging, texels) = match last {
+            Some(last) => (last.averaging, frame.unless_stale(Some(last.texels))),
+            None => (GpuTables::new(frame.context(), &self.averaging())?, None),
+        };
+        let texels = match texels {
+            Some(texels) => texels,
+            None => averaging.average(frame.cx, frame.cube(&self.captured(&frame.scene))?)?,
+        };
+        let largest = f64::from(self.largest_omega_sr());
+        let constants = [("largest", largest)];
+        let shade = gather_kernel(frame, &SHADE, &constants, (&texels, averaging.count()), &[])?;
+        Ok(Lights {
+            averaging,
+            texels,
+            shade,
+        })
+    }
+}
+
+impl Kernels for Lights {
+    fn kernels(&self) -> &[Kernel] {
+        std::slice::from_ref(&self.shade)
     }
 
-    fn shade(
-        _params: &PointFormFactorParams,
-        state: &mut State,
-        cx: &mut GpuCx,
-        _quantity: Quantity,
-        inputs: &Inputs<'_, Gpu>,
-        _out: &mut GpuEstimate,
-    ) -> Result<(), EstimatorError> {
-        let shade = state.shade.as_ref().ok_or(EstimatorError::Unprepared)?;
-        shade.record(cx, inputs.points.workgroups());
-        Ok(())
+    fn records(&self, context: &GpuContext) -> Result<Vec<Records>, EstimatorError> {
+        Ok(vec![self.averaging.records(context, &self.texels)?])
     }
 }

@@ -14,14 +14,9 @@ use crate::{Claim, Info, Method, OwnModel, Quantity, Unsupported};
 use interreflect_scene::conventions::texel_solid_angle_sr;
 use interreflect_scene::{CubeSpec, Needs, SceneFacts};
 
-pub use params::PointFormFactorParams;
-
-/// The method.
-pub struct PointFormFactor;
+pub use params::PointFormFactor;
 
 impl Method for PointFormFactor {
-    type Params = PointFormFactorParams;
-
     const INFO: Info = Info {
         id: "point_form_factor",
         title: "Point-to-point form factors",
@@ -30,30 +25,26 @@ impl Method for PointFormFactor {
 
     const QUANTITIES: &'static [Quantity] = &[Quantity::Irradiance, Quantity::GlossyRadiance];
 
-    fn needs(
-        params: &Self::Params,
-        _quantity: Quantity,
-        scene: &SceneFacts,
-    ) -> Result<Needs, Unsupported> {
+    fn needs(&self, _quantity: Quantity, scene: &SceneFacts) -> Result<Needs, Unsupported> {
         Ok(Needs {
-            cubes: [params.captured(scene)].into(),
-            keep_within_m: params.recapture_distance,
+            cubes: [self.captured(scene)].into(),
+            keep_within_m: self.recapture_distance,
             ..Needs::default()
         })
     }
 
-    fn model(params: &Self::Params, _quantity: Quantity) -> OwnModel {
+    fn model(&self, _quantity: Quantity) -> OwnModel {
         OwnModel::VisibleFromReference {
-            bounces: params.bounces,
+            bounces: self.bounces,
         }
     }
 
-    fn claims(params: &Self::Params, quantity: Quantity) -> Vec<Claim> {
-        claims::claims(params, quantity)
+    fn claims(&self, quantity: Quantity) -> Vec<Claim> {
+        claims::claims(self, quantity)
     }
 }
 
-impl PointFormFactorParams {
+impl PointFormFactor {
     /// The capture that is averaged down; nothing has a place without surfaces.
     fn captured(&self, scene: &SceneFacts) -> CubeSpec {
         texels::capture(

@@ -6,7 +6,7 @@ use interreflect_scene::params::{Field, Params};
 /// The ranges keep the loops of a shader invocation below 65,536 turns together: lavapipe ends them
 /// there without a word.
 #[derive(Clone, Debug, PartialEq)]
-pub struct PointFormFactorParams {
+pub struct PointFormFactor {
     /// M: texels along a face's edge that shading sums over.
     pub resolution: u32,
     /// Texels along a face's edge when the environment is captured.
@@ -19,7 +19,7 @@ pub struct PointFormFactorParams {
     pub clamp: f32,
 }
 
-impl Default for PointFormFactorParams {
+impl Default for PointFormFactor {
     fn default() -> Self {
         Self {
             resolution: 4,
@@ -31,7 +31,7 @@ impl Default for PointFormFactorParams {
     }
 }
 
-impl Params for PointFormFactorParams {
+impl Params for PointFormFactor {
     fn fields() -> Vec<Field<Self>> {
         vec![
             fields::resolution(|p: &Self| p.resolution, |p, v| p.resolution = v),

@@ -1,13 +1,13 @@
 //! What the method claims.
 
 use super::math::{clipped_quad, edge_integral};
-use super::{Corners, Facing, PolygonFormFactorParams};
+use super::{Corners, Facing, PolygonFormFactor};
 use crate::{Answers, Claim, FormFactorLaw};
 use glam::Vec3;
 use interreflect_cpu::lane::Vector;
 use interreflect_scene::params::Fidelity;
 
-pub(super) fn claims(params: &PolygonFormFactorParams) -> Vec<Claim> {
+pub(super) fn claims(params: &PolygonFormFactor) -> Vec<Claim> {
     let mut claims = vec![
         Claim::NonNegative,
         Claim::Linear,
@@ -38,7 +38,7 @@ fn published() -> Vec<Claim> {
     ]
 }
 
-fn corrected(params: &PolygonFormFactorParams) -> Vec<Claim> {
+fn corrected(params: &PolygonFormFactor) -> Vec<Claim> {
     let m = f64::from(params.resolution);
     let laws = [
         FormFactorLaw::Fraction,

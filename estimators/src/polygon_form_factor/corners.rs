@@ -1,9 +1,9 @@
 //! The corners of the quadrilaterals: where they are, each computed once for all texels that share
 //! it on a face.
 
-use super::params::{Corners, PolygonFormFactorParams, Radiance};
+use super::params::{Corners, PolygonFormFactor, Radiance};
 use crate::texels::Texel;
-use crate::texels::average::{Place, surface_along};
+use crate::texels::average::{CubeTexel, surface_along};
 use glam::{DVec3, Vec3};
 use interreflect_scene::CubeImage;
 use interreflect_scene::conventions::{CUBE_FACES, cube_vector, neighbour_texel, texel_index};
@@ -45,7 +45,7 @@ pub(super) struct Quads {
 }
 
 impl Tables {
-    pub(super) fn new(params: &PolygonFormFactorParams) -> Self {
+    pub(super) fn new(params: &PolygonFormFactor) -> Self {
         let (m, size) = (
             params.resolution,
             params
@@ -112,7 +112,7 @@ impl Tables {
     /// Mean of the radiances at a texel's corners, each the mean of the texels that meet there.
     fn mean_of_corners(&self, index: u32, texels: &[Texel]) -> Vec3 {
         let side = self.resolution + 1;
-        let Place { face, column, row } = place(self.resolution, index);
+        let CubeTexel { face, column, row } = place(self.resolution, index);
         let first = (face as u32 * side + row) * side + column;
         let corners = [first, first + 1, first + side, first + side + 1];
         let at_corner = |corner: u32| {
@@ -146,8 +146,8 @@ fn mean_inverse_distance(meeting: [u32; 4], texels: &[Texel]) -> f32 {
 }
 
 /// The texel of an index.
-fn place(size: u32, index: u32) -> Place {
-    Place {
+fn place(size: u32, index: u32) -> CubeTexel {
+    CubeTexel {
         face: (index / (size * size)) as usize,
         column: index % size,
         row: index / size % size,

@@ -3,83 +3,82 @@
 
 use super::corners::{Quads, REUSED_EDGE, Tables};
 use super::math::{clipped_quad, corner_height, edge_angle, edge_cosine, edge_integral};
-use super::{Facing, PolygonFormFactor, PolygonFormFactorParams};
+use super::{Facing, PolygonFormFactor};
 use crate::fields::MAX_RESOLUTION;
-use crate::kept::Kept;
 use crate::texels::average;
-use crate::{Changed, Cpu, Estimator, EstimatorError, Inputs, Prepared, Quantity, Records};
+use crate::{Cpu, Estimator, EstimatorError, Frame, Prepared, Records};
 use interreflect_cpu::lane::{Lane, Vector};
-use interreflect_cpu::tiles::{CpuCx, PointLanes, TileKernel};
+use interreflect_cpu::tiles::{PointLanes, TileKernel};
+use interreflect_scene::PointLayout;
 use interreflect_scene::conventions::CUBE_FACES;
 use interreflect_scene::params::Fidelity;
-use interreflect_scene::{Estimate, PointLayout};
 
-/// What averaging and the corners read, and the quadrilaterals, kept across frames.
-#[derive(Default)]
-pub struct State {
-    tables: Kept<PolygonFormFactorParams, (average::Tables, Tables)>,
-    quads: Option<Quads>,
-}
-
-impl Prepared<Cpu> for State {
-    fn records(&self, _caps: &()) -> Result<Vec<Records>, EstimatorError> {
-        let Some(quads) = &self.quads else {
-            return Ok(Vec::new());
-        };
-        let with_pad = |[r, g, b]: &[f32; 3]| [*r, *g, *b, 0.0];
-        let radiances: Vec<[f32; 4]> = quads.radiances.iter().map(with_pad).collect();
-        Ok(vec![
-            Records::host("corners", &quads.corners),
-            Records::host("radiances", &radiances),
-        ])
-    }
+/// The quadrilaterals, and what averaging and the corners read.
+pub struct Polygons {
+    method: PolygonFormFactor,
+    averaging: average::Tables,
+    corners: Tables,
+    quads: Quads,
 }
 
 impl Estimator<Cpu> for PolygonFormFactor {
-    type State = State;
+    type Prepared = Polygons;
 
     fn prepare(
-        params: &PolygonFormFactorParams,
-        state: &mut State,
-        _cx: &mut &CpuCx,
-        _quantity: Quantity,
-        inputs: &Inputs<'_, Cpu>,
-        _out: &Estimate,
-    ) -> Result<(), EstimatorError> {
-        let stale = inputs.changed.any(Changed::PARAMS | Changed::CAPTURES);
-        if stale || state.quads.is_none() {
-            let captured = inputs.cube(&params.captured(&inputs.scene))?;
-            let make = || Ok((params.averaging(), Tables::new(params)));
-            let (averaging, corners) = state.tables.tables(params, make)?;
-            state.quads = Some(corners.quads(&averaging.average(captured), captured));
+        &self,
+        frame: &mut Frame<'_, Cpu>,
+        last: Option<Polygons>,
+    ) -> Result<Polygons, EstimatorError> {
+        let (averaging, corners, quads) = match last {
+            Some(last) => (
+                last.averaging,
+                last.corners,
+                frame.unless_stale(Some(last.quads)),
+            ),
+            None => (self.averaging(), Tables::new(self), None),
+        };
+        let quads = match quads {
+            Some(quads) => quads,
+            None => {
+                let captured = frame.cube(&self.captured(&frame.scene))?;
+                corners.quads(&averaging.average(captured), captured)
+            }
+        };
+        Ok(Polygons {
+            method: self.clone(),
+            averaging,
+            corners,
+            quads,
+        })
+    }
+}
+
+impl Prepared<Cpu> for Polygons {
+    fn shade(&self, frame: &mut Frame<'_, Cpu>) -> Result<(), EstimatorError> {
+        let contours = Contours {
+            quads: &self.quads,
+            resolution: self.method.resolution as usize,
+            origin: frame.reference_point.to_array(),
+        };
+        match (self.method.fidelity, self.method.facing) {
+            (Fidelity::Published, _) => frame.for_each_tile(&Published(contours)),
+            (Fidelity::Corrected, Facing::Signed) => {
+                frame.for_each_tile(&Corrected::<true>(contours));
+            }
+            (Fidelity::Corrected, Facing::Clamped) => {
+                frame.for_each_tile(&Corrected::<false>(contours));
+            }
         }
         Ok(())
     }
 
-    fn shade(
-        params: &PolygonFormFactorParams,
-        state: &mut State,
-        cx: &mut &CpuCx,
-        _quantity: Quantity,
-        inputs: &Inputs<'_, Cpu>,
-        out: &mut Estimate,
-    ) -> Result<(), EstimatorError> {
-        let contours = Contours {
-            quads: state.quads.as_ref().ok_or(EstimatorError::Unprepared)?,
-            resolution: params.resolution as usize,
-            origin: inputs.reference_point.to_array(),
-        };
-        let points = inputs.points;
-        match (params.fidelity, params.facing) {
-            (Fidelity::Published, _) => cx.for_each_tile(points, out, &Published(contours)),
-            (Fidelity::Corrected, Facing::Signed) => {
-                cx.for_each_tile(points, out, &Corrected::<true>(contours));
-            }
-            (Fidelity::Corrected, Facing::Clamped) => {
-                cx.for_each_tile(points, out, &Corrected::<false>(contours));
-            }
-        }
-        Ok(())
+    fn records(&self, _caps: &()) -> Result<Vec<Records>, EstimatorError> {
+        let with_pad = |[r, g, b]: &[f32; 3]| [*r, *g, *b, 0.0];
+        let radiances: Vec<[f32; 4]> = self.quads.radiances.iter().map(with_pad).collect();
+        Ok(vec![
+            Records::host("corners", &self.quads.corners),
+            Records::host("radiances", &radiances),
+        ])
     }
 }
 
@@ -95,7 +94,7 @@ struct Contours<'a> {
 
 /// A corner from the points.
 #[derive(Clone, Copy)]
-struct Seen<L> {
+struct Corner<L> {
     r: Vector<L>,
     /// Above the horizon.
     height: L,
@@ -104,7 +103,7 @@ struct Seen<L> {
 /// A texel's corners and the values of its edges, each towards larger columns or rows.
 struct Quad<L> {
     /// (s₀,t₀), (s₀,t₁), (s₁,t₁), (s₁,t₀): clockwise seen from the reference point.
-    corners: [Seen<L>; 4],
+    corners: [Corner<L>; 4],
     left: L,
     right: L,
     top: L,
@@ -122,7 +121,7 @@ impl<L: Lane> Quad<L> {
 /// A fidelity: what an edge and a quadrilateral count.
 trait Formula: Sync {
     /// Value of the edge between two corners, which changes its sign with their order.
-    fn edge<L: Lane>(&self, a: &Seen<L>, b: &Seen<L>, n: Vector<L>) -> L;
+    fn edge<L: Lane>(&self, a: &Corner<L>, b: &Corner<L>, n: Vector<L>) -> L;
     /// Irradiance from a texel of radiance 1, or nothing where it is below all horizons.
     fn quad<L: Lane>(&self, face: usize, quad: &Quad<L>, n: Vector<L>) -> Option<L>;
 }
@@ -135,7 +134,7 @@ impl Contours<'_> {
         let n = points.vector(PointLayout::NORMAL);
         let reach = x.dot(x).sqrt();
         let (m, side) = (self.resolution, self.resolution + 1);
-        let nothing = Seen {
+        let nothing = Corner {
             r: Vector::splat([0.0; 3]),
             height: zero,
         };
@@ -148,7 +147,7 @@ impl Contours<'_> {
                 let w = L::from(w);
                 let r = Vector::splat([dx, dy, dz]) - x.scale(w);
                 let height = corner_height(r, n, w, reach);
-                Seen { r, height }
+                Corner { r, height }
             };
             for (i, above) in above.iter_mut().enumerate().take(side) {
                 *above = corner(i, 0);
@@ -189,7 +188,7 @@ struct Published<'a>(Contours<'a>);
 
 impl Formula for Published<'_> {
     #[inline(always)]
-    fn edge<L: Lane>(&self, a: &Seen<L>, b: &Seen<L>, n: Vector<L>) -> L {
+    fn edge<L: Lane>(&self, a: &Corner<L>, b: &Corner<L>, n: Vector<L>) -> L {
         edge_cosine(a.r, b.r, n)
     }
 
@@ -215,7 +214,7 @@ struct Corrected<'a, const SIGNED: bool>(Contours<'a>);
 impl<const SIGNED: bool> Formula for Corrected<'_, SIGNED> {
     /// Where no lane has the whole edge above its horizon, none reads it.
     #[inline(always)]
-    fn edge<L: Lane>(&self, a: &Seen<L>, b: &Seen<L>, n: Vector<L>) -> L {
+    fn edge<L: Lane>(&self, a: &Corner<L>, b: &Corner<L>, n: Vector<L>) -> L {
         match any_positive(a.height.min(b.height)) {
             true => edge_integral(a.r, b.r, n),
             false => L::from(0.0),

@@ -1,11 +1,10 @@
 //! Polygon-to-point form factors on the GPU.
 
 use super::corners::{REUSED_EDGE, Tables};
-use super::{Corners, Facing, PolygonFormFactor, PolygonFormFactorParams, Radiance};
-use crate::kept::Kept;
+use super::{Corners, Facing, PolygonFormFactor, Radiance};
 use crate::texels::gpu::{AVERAGE, GpuTables, SURFACE, TEXEL, place, views};
-use crate::{ANGLE, Changed, Estimator, EstimatorError, Gpu, Inputs, Prepared, Quantity, Records};
-use interreflect_gpu::{GpuContext, GpuCube, GpuCx, GpuEstimate, Kernel, Shader, wgsl};
+use crate::{ANGLE, Estimator, EstimatorError, Frame, Gpu, Kernels, Records};
+use interreflect_gpu::{GpuContext, GpuCube, GpuCx, Kernel, Shader, wgsl};
 use interreflect_scene::conventions::CUBE_FACES;
 use interreflect_scene::params::Fidelity;
 
@@ -24,12 +23,12 @@ const SHADE: Shader = Shader {
     ],
 };
 
-/// What averaging and the corners read, the quadrilaterals and the kernel, kept across frames.
-#[derive(Default)]
-pub struct State {
-    tables: Kept<PolygonFormFactorParams, (GpuTables, GpuCorners)>,
-    quads: Option<GpuQuads>,
-    shade: Option<Kernel>,
+/// The quadrilaterals, what averaging and the corners read, and the kernel.
+pub struct Polygons {
+    averaging: GpuTables,
+    corners: GpuCorners,
+    quads: GpuQuads,
+    shade: Kernel,
 }
 
 /// [`Tables`] on the device.
@@ -84,18 +83,18 @@ impl GpuCorners {
     /// Records the making of the quadrilaterals from averaged texels.
     fn quads(
         &self,
-        params: &PolygonFormFactorParams,
+        method: &PolygonFormFactor,
         cx: &mut GpuCx,
         (texels, count): (&wgpu::Buffer, u32),
         captured: &GpuCube,
     ) -> Result<GpuQuads, EstimatorError> {
         let context = cx.context();
         let build = Build {
-            m: params.resolution,
+            m: method.resolution,
             size: captured.spec().size,
             place: place(captured.spec().channels),
-            exact: u32::from(params.corners() == Corners::Exact),
-            mean_radiance: u32::from(params.radiance == Radiance::Corners),
+            exact: u32::from(method.corners() == Corners::Exact),
+            mean_radiance: u32::from(method.radiance == Radiance::Corners),
             pad: 0,
         };
         let build = context.uniform("polygon_form_factor corners", &build)?;
@@ -124,53 +123,44 @@ impl GpuCorners {
     }
 }
 
-impl Prepared<Gpu> for State {
-    fn records(&self, context: &GpuContext) -> Result<Vec<Records>, EstimatorError> {
-        let Some(quads) = &self.quads else {
-            return Ok(Vec::new());
-        };
-        let buffers = [("corners", &quads.corners), ("radiances", &quads.radiances)];
-        let read = |(name, buffer)| Records::device::<[f32; 4]>(name, context, buffer);
-        buffers.into_iter().map(read).collect()
-    }
-}
-
 impl Estimator<Gpu> for PolygonFormFactor {
-    type State = State;
+    type Prepared = Polygons;
 
     const SHADERS: &'static [Shader] = &[AVERAGE, CORNERS, SHADE];
 
     fn prepare(
-        params: &PolygonFormFactorParams,
-        state: &mut State,
-        cx: &mut GpuCx,
-        _quantity: Quantity,
-        inputs: &Inputs<'_, Gpu>,
-        out: &GpuEstimate,
-    ) -> Result<(), EstimatorError> {
-        let stale = inputs.changed.any(Changed::PARAMS | Changed::CAPTURES);
-        if stale || state.quads.is_none() {
-            let make = || {
-                let averaging = GpuTables::new(cx.context(), &params.averaging())?;
-                Ok((
-                    averaging,
-                    GpuCorners::new(cx.context(), &Tables::new(params))?,
-                ))
-            };
-            let (averaging, corners) = state.tables.tables(params, make)?;
-            let captured = inputs.cube(&params.captured(&inputs.scene))?;
-            let texels = averaging.average(cx, captured)?;
-            let texels = (&texels, averaging.count());
-            state.quads = Some(corners.quads(params, cx, texels, captured)?);
-        }
-        let quads = state.quads.as_ref().ok_or(EstimatorError::Unprepared)?;
+        &self,
+        frame: &mut Frame<'_, Gpu>,
+        last: Option<Polygons>,
+    ) -> Result<Polygons, EstimatorError> {
+        let context = frame.context().clone();
+        let (averaging, corners, quads) = match last {
+            Some(last) => (
+                last.averaging,
+                last.corners,
+                frame.unless_stale(Some(last.quads)),
+            ),
+            None => {
+                let averaging = GpuTables::new(&context, &self.averaging())?;
+                let corners = GpuCorners::new(&context, &Tables::new(self))?;
+                (averaging, corners, None)
+            }
+        };
+        let quads = match quads {
+            Some(quads) => quads,
+            None => {
+                let captured = frame.cube(&self.captured(&frame.scene))?;
+                let texels = averaging.average(frame.cx, captured)?;
+                corners.quads(self, frame.cx, (&texels, averaging.count()), captured)?
+            }
+        };
         let shade = Shade {
-            origin: inputs.reference_point.to_array(),
-            m: params.resolution,
+            origin: frame.reference_point.to_array(),
+            m: self.resolution,
             reused: REUSED_EDGE.map(|(a, b)| [a as u32, b as u32, 0, 0]),
         };
-        let shade = cx.context().uniform("polygon_form_factor shade", &shade)?;
-        let [points, info, estimate] = inputs.points.bindings(out);
+        let shade = context.uniform("polygon_form_factor shade", &shade)?;
+        let [points, info, estimate] = frame.point_bindings();
         let bindings = [
             points,
             info,
@@ -180,28 +170,30 @@ impl Estimator<Gpu> for PolygonFormFactor {
             (&quads.radiances).into(),
         ];
         let constants = [
-            ("corrected", params.fidelity == Fidelity::Corrected),
-            ("facing_signed", params.facing == Facing::Signed),
+            ("corrected", self.fidelity == Fidelity::Corrected),
+            ("facing_signed", self.facing == Facing::Signed),
         ];
         let constants = constants.map(|(name, on)| (name, f64::from(u8::from(on))));
-        let kernel = cx
-            .context()
-            .kernel_with(&SHADE, "irradiance", &constants, &bindings)?;
-        state.shade = Some(kernel);
-        Ok(())
+        let shade = context.kernel_with(&SHADE, "irradiance", &constants, &bindings)?;
+        Ok(Polygons {
+            averaging,
+            corners,
+            quads,
+            shade,
+        })
+    }
+}
+
+impl Kernels for Polygons {
+    fn kernels(&self) -> &[Kernel] {
+        std::slice::from_ref(&self.shade)
     }
 
-    fn shade(
-        _params: &PolygonFormFactorParams,
-        state: &mut State,
-        cx: &mut GpuCx,
-        _quantity: Quantity,
-        inputs: &Inputs<'_, Gpu>,
-        _out: &mut GpuEstimate,
-    ) -> Result<(), EstimatorError> {
-        let shade = state.shade.as_ref().ok_or(EstimatorError::Unprepared)?;
-        shade.record(cx, inputs.points.workgroups());
-        Ok(())
+    fn records(&self, context: &GpuContext) -> Result<Vec<Records>, EstimatorError> {
+        let quads = &self.quads;
+        let buffers = [("corners", &quads.corners), ("radiances", &quads.radiances)];
+        let read = |(name, buffer)| Records::device::<[f32; 4]>(name, context, buffer);
+        buffers.into_iter().map(read).collect()
     }
 }
 

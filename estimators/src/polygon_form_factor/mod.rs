@@ -15,14 +15,9 @@ use crate::{Claim, Info, Method, OwnModel, Quantity, Unsupported};
 use interreflect_scene::params::Fidelity;
 use interreflect_scene::{CubeSpec, Needs, SceneFacts};
 
-pub use params::{Corners, Facing, PolygonFormFactorParams, Radiance};
-
-/// The method.
-pub struct PolygonFormFactor;
+pub use params::{Corners, Facing, PolygonFormFactor, Radiance};
 
 impl Method for PolygonFormFactor {
-    type Params = PolygonFormFactorParams;
-
     const INFO: Info = Info {
         id: "polygon_form_factor",
         title: "Polygon-to-point form factors",
@@ -31,30 +26,26 @@ impl Method for PolygonFormFactor {
 
     const QUANTITIES: &'static [Quantity] = &[Quantity::Irradiance];
 
-    fn needs(
-        params: &Self::Params,
-        _quantity: Quantity,
-        scene: &SceneFacts,
-    ) -> Result<Needs, Unsupported> {
+    fn needs(&self, _quantity: Quantity, scene: &SceneFacts) -> Result<Needs, Unsupported> {
         Ok(Needs {
-            cubes: [params.captured(scene)].into(),
-            keep_within_m: params.recapture_distance,
+            cubes: [self.captured(scene)].into(),
+            keep_within_m: self.recapture_distance,
             ..Needs::default()
         })
     }
 
-    fn model(params: &Self::Params, _quantity: Quantity) -> OwnModel {
+    fn model(&self, _quantity: Quantity) -> OwnModel {
         OwnModel::VisibleFromReference {
-            bounces: params.bounces,
+            bounces: self.bounces,
         }
     }
 
-    fn claims(params: &Self::Params, _quantity: Quantity) -> Vec<Claim> {
-        claims::claims(params)
+    fn claims(&self, _quantity: Quantity) -> Vec<Claim> {
+        claims::claims(self)
     }
 }
 
-impl PolygonFormFactorParams {
+impl PolygonFormFactor {
     /// The capture that is averaged down. A distance along another ray than the captured ones
     /// follows the surface's plane, so it needs normals; nothing has a place without surfaces.
     fn captured(&self, scene: &SceneFacts) -> CubeSpec {

@@ -64,7 +64,7 @@ impl Choice for Facing {
 /// them without a word: 25,300 at M = 64, and eight for each texel that the horizon cuts, of which
 /// there would have to be 5,000.
 #[derive(Clone, Debug, PartialEq)]
-pub struct PolygonFormFactorParams {
+pub struct PolygonFormFactor {
     /// M: texels along a face's edge that shading sums over.
     pub resolution: u32,
     /// Texels along a face's edge when the environment is captured.
@@ -83,7 +83,7 @@ pub struct PolygonFormFactorParams {
     pub facing: Facing,
 }
 
-impl Default for PolygonFormFactorParams {
+impl Default for PolygonFormFactor {
     fn default() -> Self {
         Self {
             resolution: 4,
@@ -98,7 +98,7 @@ impl Default for PolygonFormFactorParams {
     }
 }
 
-impl PolygonFormFactorParams {
+impl PolygonFormFactor {
     /// Where the distance at a corner comes from, the fidelity's own choice resolved.
     pub(super) fn corners(&self) -> Corners {
         match (self.corners, self.fidelity) {
@@ -109,7 +109,7 @@ impl PolygonFormFactorParams {
     }
 }
 
-impl Params for PolygonFormFactorParams {
+impl Params for PolygonFormFactor {
     fn fields() -> Vec<Field<Self>> {
         vec![
             fields::resolution(|p: &Self| p.resolution, |p, v| p.resolution = v),

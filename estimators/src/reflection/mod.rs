@@ -7,21 +7,17 @@ use crate::{Backend, Changed, Inputs, Quantity};
 use glam::Vec3;
 
 /// Twins of math.rs.
-pub(crate) const LEAVES: &str = include_str!("math.wgsl");
+pub const LEAVES: &str = include_str!("math.wgsl");
 
 /// Whether the points of a session reflect by a specular lobe, found out anew when they change.
 #[derive(Default)]
-pub(crate) struct Lobes(Option<bool>);
+pub struct Lobes(Option<bool>);
 
 impl Lobes {
     /// Whether what is estimated needs radiance filtered with a lobe: a glossy quantity, and some
     /// point with k_s ≠ 0.
-    pub(crate) fn needed<B: Backend>(
-        &mut self,
-        quantity: Quantity,
-        inputs: &Inputs<'_, B>,
-    ) -> bool {
-        if quantity != Quantity::GlossyRadiance {
+    pub fn needed<B: Backend>(&mut self, inputs: &Inputs<'_, B>) -> bool {
+        if inputs.quantity != Quantity::GlossyRadiance {
             return false;
         }
         if self.0.is_none() || inputs.changed.any(Changed::POINTS) {

@@ -1,11 +1,11 @@
 //! What the method claims.
 
-use super::{ShMipEnvmapParams, Window};
+use super::{ShMipEnvmap, Window};
 use crate::{Answers, Claim, Quantity};
 
 /// Nine coefficients of an environment at infinity. Not that it is never negative, nor bounded: a
 /// delta light gives −19/480 of its irradiance at the least.
-pub(super) fn claims(params: &ShMipEnvmapParams, quantity: Quantity) -> Vec<Claim> {
+pub(super) fn claims(params: &ShMipEnvmap, quantity: Quantity) -> Vec<Claim> {
     let mut claims = vec![
         Claim::Linear,
         Claim::ScaleInvariant,

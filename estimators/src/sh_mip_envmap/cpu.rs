@@ -4,25 +4,24 @@ mod pyramid;
 
 use super::math::{HARMONICS, biased_level, harmonics};
 use super::tables::harmonic_weights;
-use super::{LodMode, ShMipEnvmap, ShMipEnvmapParams, check_levels};
+use super::{LodMode, ShMipEnvmap};
 use crate::averaging::{averaged, face_solid_angles_sr};
-use crate::kept::Kept;
 use crate::reflection::Lobes;
 use crate::reflection::math::{fresnel_mix, mirrored, schlick};
-use crate::{Changed, Cpu, Estimator, EstimatorError, Inputs, Prepared, Quantity, Records};
+use crate::{Cpu, Estimator, EstimatorError, Frame, Prepared, Quantity, Records};
 use glam::{DVec3, Vec3};
 use interreflect_cpu::lane::{Lane, Vector};
-use interreflect_cpu::tiles::{CpuCx, PointLanes, TileKernel};
-use interreflect_scene::{CubeImage, Estimate, PointLayout};
+use interreflect_cpu::tiles::{PointLanes, TileKernel};
+use interreflect_scene::{CubeImage, PointLayout};
 use pyramid::{BoxWeights, Pyramid};
 
-/// The tables, the coefficients and the pyramid, kept across frames.
-#[derive(Default)]
-pub struct State {
-    tables: Kept<ShMipEnvmapParams, Tables>,
-    boxes: Kept<ShMipEnvmapParams, BoxWeights>,
+/// The coefficients and the pyramid, with their tables.
+pub struct Filtered {
+    method: ShMipEnvmap,
+    tables: Tables,
     lobes: Lobes,
-    irradiance: Option<Harmonics>,
+    irradiance: Harmonics,
+    boxes: Option<BoxWeights>,
     /// There where some point has a lobe.
     pyramid: Option<Pyramid>,
 }
@@ -37,8 +36,8 @@ struct Harmonics([Vec3; HARMONICS]);
 
 impl Harmonics {
     /// Projects the capture, averaged by solid angle.
-    fn project(params: &ShMipEnvmapParams, tables: &Tables, captured: &CubeImage) -> Self {
-        let means: Vec<Vec3> = averaged(captured, &tables.omegas_sr, params.sh_size()).collect();
+    fn project(method: &ShMipEnvmap, tables: &Tables, captured: &CubeImage) -> Self {
+        let means: Vec<Vec3> = averaged(captured, &tables.omegas_sr, method.sh_size()).collect();
         let mut coefficients = [Vec3::ZERO; HARMONICS];
         let of_harmonics = tables.weights.chunks_exact(means.len());
         for (coefficient, weights) in coefficients.iter_mut().zip(of_harmonics) {
@@ -62,74 +61,80 @@ impl Harmonics {
     }
 }
 
-impl Prepared<Cpu> for State {
+impl Estimator<Cpu> for ShMipEnvmap {
+    type Prepared = Filtered;
+
+    fn prepare(
+        &self,
+        frame: &mut Frame<'_, Cpu>,
+        last: Option<Filtered>,
+    ) -> Result<Filtered, EstimatorError> {
+        let (tables, mut lobes, irradiance, boxes, pyramid) = match last {
+            Some(last) => (
+                Some(last.tables),
+                last.lobes,
+                frame.unless_stale(Some(last.irradiance)),
+                last.boxes,
+                frame.unless_stale(last.pyramid),
+            ),
+            None => (None, Lobes::default(), None, None, None),
+        };
+        let shines = lobes.needed(frame);
+        if shines {
+            self.check_levels(frame)?;
+        }
+        let tables = tables.unwrap_or_else(|| Tables {
+            omegas_sr: face_solid_angles_sr(self.captured().size),
+            weights: harmonic_weights(self),
+        });
+        let irradiance = match irradiance {
+            Some(irradiance) => irradiance,
+            None => Harmonics::project(self, &tables, frame.cube(&self.captured())?),
+        };
+        let (boxes, pyramid) = match shines {
+            false => (boxes, None),
+            true => {
+                let boxes = boxes.unwrap_or_else(|| BoxWeights::new(self));
+                let pyramid = match pyramid {
+                    Some(pyramid) => pyramid,
+                    None => Pyramid::new(self, &boxes, frame.cube(&self.captured())?),
+                };
+                (Some(boxes), Some(pyramid))
+            }
+        };
+        Ok(Filtered {
+            method: self.clone(),
+            tables,
+            lobes,
+            irradiance,
+            boxes,
+            pyramid,
+        })
+    }
+}
+
+impl Prepared<Cpu> for Filtered {
+    fn shade(&self, frame: &mut Frame<'_, Cpu>) -> Result<(), EstimatorError> {
+        let glossy = Glossy {
+            method: &self.method,
+            irradiance: &self.irradiance,
+            pyramid: self.pyramid.as_ref(),
+        };
+        match frame.quantity {
+            Quantity::GlossyRadiance => frame.for_each_tile(&glossy),
+            _ => frame.for_each_tile(&self.irradiance),
+        }
+        Ok(())
+    }
+
     fn records(&self, _caps: &()) -> Result<Vec<Records>, EstimatorError> {
         let padded = |rgb: &Vec3| rgb.extend(0.0).to_array();
         let of = |name, values: &[Vec3]| {
             Records::host(name, &values.iter().map(padded).collect::<Vec<_>>())
         };
-        let harmonics = self.irradiance.iter().map(|h| of("coefficients", &h.0));
         let pyramid = self.pyramid.iter().map(|p| of("pyramid", p.texels()));
-        Ok(harmonics.chain(pyramid).collect())
-    }
-}
-
-impl Estimator<Cpu> for ShMipEnvmap {
-    type State = State;
-
-    fn prepare(
-        params: &ShMipEnvmapParams,
-        state: &mut State,
-        _cx: &mut &CpuCx,
-        quantity: Quantity,
-        inputs: &Inputs<'_, Cpu>,
-        _out: &Estimate,
-    ) -> Result<(), EstimatorError> {
-        let lobes = state.lobes.needed(quantity, inputs);
-        if lobes {
-            check_levels(params, inputs)?;
-        }
-        let stale = inputs.changed.any(Changed::PARAMS | Changed::CAPTURES);
-        if stale || state.irradiance.is_none() {
-            let captured = inputs.cube(&params.captured())?;
-            let tables = state.tables.tables(params, || {
-                Ok(Tables {
-                    omegas_sr: face_solid_angles_sr(captured.size),
-                    weights: harmonic_weights(params),
-                })
-            })?;
-            state.irradiance = Some(Harmonics::project(params, tables, captured));
-        }
-        if !lobes {
-            state.pyramid = None;
-        } else if stale || state.pyramid.is_none() {
-            let captured = inputs.cube(&params.captured())?;
-            let boxes = state.boxes.tables(params, || Ok(BoxWeights::new(params)))?;
-            state.pyramid = Some(Pyramid::new(params, boxes, captured));
-        }
-        Ok(())
-    }
-
-    fn shade(
-        params: &ShMipEnvmapParams,
-        state: &mut State,
-        cx: &mut &CpuCx,
-        quantity: Quantity,
-        inputs: &Inputs<'_, Cpu>,
-        out: &mut Estimate,
-    ) -> Result<(), EstimatorError> {
-        let found = state.irradiance.as_ref();
-        let irradiance = found.ok_or(EstimatorError::Unprepared)?;
-        let glossy = Glossy {
-            params,
-            irradiance,
-            pyramid: state.pyramid.as_ref(),
-        };
-        match quantity {
-            Quantity::GlossyRadiance => cx.for_each_tile(inputs.points, out, &glossy),
-            _ => cx.for_each_tile(inputs.points, out, irradiance),
-        }
-        Ok(())
+        let coefficients = of("coefficients", &self.irradiance.0);
+        Ok(std::iter::once(coefficients).chain(pyramid).collect())
     }
 }
 
@@ -142,7 +147,7 @@ impl TileKernel for Harmonics {
 
 /// L_o = (1 − F)·k_d/π·E(n) + F·k_s·L(r), the latter 0 where no point has a lobe.
 struct Glossy<'a> {
-    params: &'a ShMipEnvmapParams,
+    method: &'a ShMipEnvmap,
     irradiance: &'a Harmonics,
     pyramid: Option<&'a Pyramid>,
 }
@@ -150,12 +155,12 @@ struct Glossy<'a> {
 impl Glossy<'_> {
     #[inline(always)]
     fn level<L: Lane>(&self, footprint: L) -> L {
-        let top = self.params.top_level() as f32;
-        match self.params.lod_mode {
-            LodMode::Absolute => L::from(self.params.lod.clamp(0.0, top)),
+        let top = self.method.top_level() as f32;
+        match self.method.lod_mode {
+            LodMode::Absolute => L::from(self.method.lod.clamp(0.0, top)),
             LodMode::Bias => {
-                let base = self.params.base_size() as f32;
-                biased_level(footprint, base.into(), self.params.lod.into(), top.into())
+                let base = self.method.base_size() as f32;
+                biased_level(footprint, base.into(), self.method.lod.into(), top.into())
             }
         }
     }
@@ -166,7 +171,7 @@ impl TileKernel for Glossy<'_> {
     fn shade<L: Lane>(&self, points: &PointLanes<'_, L>) -> [L; 3] {
         let n = points.vector(PointLayout::NORMAL);
         let v = points.vector(PointLayout::VIEW);
-        let fresnel = schlick(self.params.f_lambda.into(), n.dot(v));
+        let fresnel = schlick(self.method.f_lambda.into(), n.dot(v));
         let irradiance = self.irradiance.irradiance(n);
         let reflected = mirrored(n, v);
         let level: L = self.level(points.plane(PointLayout::FOOTPRINT));

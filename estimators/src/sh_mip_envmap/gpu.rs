@@ -4,12 +4,11 @@ mod pyramid;
 
 use super::math::HARMONICS;
 use super::tables::harmonic_weights;
-use super::{LodMode, ShMipEnvmap, ShMipEnvmapParams, check_levels};
+use super::{LodMode, ShMipEnvmap};
 use crate::averaging::{AVERAGE, Target, face_solid_angles_sr, record_average};
-use crate::kept::Kept;
 use crate::reflection::{self, Lobes};
-use crate::{Changed, Estimator, EstimatorError, Gpu, Inputs, Prepared, Quantity, Records};
-use interreflect_gpu::{Binding, GpuContext, GpuCx, GpuEstimate, Kernel, Shader, wgsl};
+use crate::{Changed, Estimator, EstimatorError, Frame, Gpu, Kernels, Quantity, Records};
+use interreflect_gpu::{Binding, GpuContext, Kernel, Shader, wgsl};
 use interreflect_scene::conventions::CUBE_FACES;
 use pyramid::{PYRAMID, Pyramid};
 
@@ -33,21 +32,14 @@ const SHADE: Shader = Shader {
     ],
 };
 
-/// The buffers with their kernels, kept across frames.
-#[derive(Default)]
-pub struct State {
-    harmonics: Kept<ShMipEnvmapParams, Harmonics>,
-    pyramid: Kept<ShMipEnvmapParams, Pyramid>,
+/// The coefficients and the pyramid, with the kernels that fill them.
+pub struct Filtered {
+    harmonics: Harmonics,
+    /// Made when a point first had a lobe; what it holds is of the captures if `filled`.
+    pyramid: Option<Pyramid>,
+    filled: bool,
     lobes: Lobes,
-    /// What the buffers hold: coefficients, and a pyramid.
-    built: Built,
-    shade: Option<Kernel>,
-}
-
-#[derive(Clone, Copy, Default)]
-struct Built {
-    harmonics: bool,
-    pyramid: bool,
+    shade: Kernel,
 }
 
 /// Coefficients of the irradiance, and what they are projected from.
@@ -61,11 +53,11 @@ struct Harmonics {
 }
 
 impl Harmonics {
-    fn new(params: &ShMipEnvmapParams, context: &GpuContext) -> Result<Self, EstimatorError> {
-        let omegas_sr = face_solid_angles_sr(params.captured().size);
-        let texels = CUBE_FACES as u64 * u64::from(params.sh_size()).pow(2);
+    fn new(method: &ShMipEnvmap, context: &GpuContext) -> Result<Self, EstimatorError> {
+        let omegas_sr = face_solid_angles_sr(method.captured().size);
+        let texels = CUBE_FACES as u64 * u64::from(method.sh_size()).pow(2);
         let radiances = context.storage_zeroed("sh_mip_envmap radiances", 16 * texels)?;
-        let weights = context.storage("sh_mip_envmap weights", &harmonic_weights(params))?;
+        let weights = context.storage("sh_mip_envmap weights", &harmonic_weights(method))?;
         let coefficients =
             context.storage_zeroed("sh_mip_envmap coefficients", 16 * HARMONICS as u64)?;
         let bindings = [
@@ -84,17 +76,16 @@ impl Harmonics {
     /// Records averaging and projection of the capture.
     fn record(
         &self,
-        params: &ShMipEnvmapParams,
-        cx: &mut GpuCx,
-        inputs: &Inputs<'_, Gpu>,
+        method: &ShMipEnvmap,
+        frame: &mut Frame<'_, Gpu>,
     ) -> Result<(), EstimatorError> {
         let target = Target {
             buffer: &self.radiances,
-            resolution: params.sh_size(),
+            resolution: method.sh_size(),
             border: 0,
         };
-        record_average(cx, inputs, &params.captured(), &self.omegas_sr, &target)?;
-        self.project.record(cx, [HARMONICS as u32, 1, 1]);
+        record_average(frame, &method.captured(), &self.omegas_sr, &target)?;
+        self.project.record(frame.cx, [HARMONICS as u32, 1, 1]);
         Ok(())
     }
 }
@@ -111,67 +102,67 @@ struct Shade {
 }
 
 impl Shade {
-    fn new(params: &ShMipEnvmapParams) -> Self {
+    fn new(method: &ShMipEnvmap) -> Self {
         Self {
-            base: params.base_size(),
-            top: params.top_level(),
-            lod: params.lod,
-            bias: u32::from(params.lod_mode == LodMode::Bias),
-            f_lambda: params.f_lambda,
+            base: method.base_size(),
+            top: method.top_level(),
+            lod: method.lod,
+            bias: u32::from(method.lod_mode == LodMode::Bias),
+            f_lambda: method.f_lambda,
         }
-    }
-}
-
-impl Prepared<Gpu> for State {
-    fn records(&self, context: &GpuContext) -> Result<Vec<Records>, EstimatorError> {
-        let harmonics = self.harmonics.made().filter(|_| self.built.harmonics);
-        let pyramid = self.pyramid.made().filter(|_| self.built.pyramid);
-        let harmonics = harmonics.map(|h| ("coefficients", &h.coefficients));
-        let pyramid = pyramid.map(|p| ("pyramid", &p.texels));
-        let read = |(name, buffer)| Records::device::<[f32; 4]>(name, context, buffer);
-        harmonics.into_iter().chain(pyramid).map(read).collect()
     }
 }
 
 impl Estimator<Gpu> for ShMipEnvmap {
-    type State = State;
+    type Prepared = Filtered;
 
     const SHADERS: &'static [Shader] = &[AVERAGE, PROJECT, PYRAMID, SHADE];
 
     fn prepare(
-        params: &ShMipEnvmapParams,
-        state: &mut State,
-        cx: &mut GpuCx,
-        quantity: Quantity,
-        inputs: &Inputs<'_, Gpu>,
-        out: &GpuEstimate,
-    ) -> Result<(), EstimatorError> {
-        let context = cx.context().clone();
-        let lobes = state.lobes.needed(quantity, inputs);
-        if lobes {
-            check_levels(params, inputs)?;
+        &self,
+        frame: &mut Frame<'_, Gpu>,
+        last: Option<Filtered>,
+    ) -> Result<Filtered, EstimatorError> {
+        let context = frame.context().clone();
+        let stale = frame.changed.any(Changed::PARAMS | Changed::CAPTURES);
+        let (harmonics, pyramid, filled, mut lobes) = match last {
+            Some(last) => (
+                Some(last.harmonics),
+                last.pyramid,
+                last.filled && !stale,
+                last.lobes,
+            ),
+            None => (None, None, false, Lobes::default()),
+        };
+        let shines = lobes.needed(frame);
+        if shines {
+            self.check_levels(frame)?;
         }
-        if inputs.changed.any(Changed::PARAMS | Changed::CAPTURES) {
-            state.built = Built::default();
+        let projected = harmonics.is_some() && !stale;
+        let harmonics = match harmonics {
+            Some(harmonics) => harmonics,
+            None => Harmonics::new(self, &context)?,
+        };
+        if !projected {
+            harmonics.record(self, frame)?;
         }
-        let make = || Harmonics::new(params, &context);
-        let harmonics = state.harmonics.tables(params, make)?;
-        if !state.built.harmonics {
-            harmonics.record(params, cx, inputs)?;
-            state.built.harmonics = true;
-        }
-        let mut texels = Binding::None;
-        if lobes {
-            let make = || Pyramid::new(params, &context);
-            let pyramid = state.pyramid.tables(params, make)?;
-            if !state.built.pyramid {
-                pyramid.record(params, cx, inputs)?;
-                state.built.pyramid = true;
+        let (pyramid, filled) = match (shines, pyramid) {
+            (false, pyramid) => (pyramid, filled),
+            (true, pyramid) => {
+                let pyramid = match pyramid {
+                    Some(pyramid) => pyramid,
+                    None => Pyramid::new(self, &context)?,
+                };
+                if !filled {
+                    pyramid.record(self, frame)?;
+                }
+                (Some(pyramid), true)
             }
-            texels = Binding::Buffer(&pyramid.texels);
-        }
-        let uniform = context.uniform("sh_mip_envmap shade", &Shade::new(params))?;
-        let [points, info, estimate] = inputs.points.bindings(out);
+        };
+        let texels = pyramid.as_ref().filter(|_| shines);
+        let texels = texels.map_or(Binding::None, |p| Binding::Buffer(&p.texels));
+        let uniform = context.uniform("sh_mip_envmap shade", &Shade::new(self))?;
+        let [points, info, estimate] = frame.point_bindings();
         let coefficients = (&harmonics.coefficients).into();
         let bindings = [
             points,
@@ -181,26 +172,33 @@ impl Estimator<Gpu> for ShMipEnvmap {
             coefficients,
             texels,
         ];
-        let entry = match quantity {
-            Quantity::GlossyRadiance if lobes => "glossy",
+        let entry = match frame.quantity {
+            Quantity::GlossyRadiance if shines => "glossy",
             Quantity::GlossyRadiance => "matte",
             _ => "irradiance",
         };
-        state.shade = Some(context.kernel(&SHADE, entry, &bindings)?);
-        Ok(())
+        let shade = context.kernel(&SHADE, entry, &bindings)?;
+        Ok(Filtered {
+            harmonics,
+            pyramid,
+            filled,
+            lobes,
+            shade,
+        })
+    }
+}
+
+impl Kernels for Filtered {
+    fn kernels(&self) -> &[Kernel] {
+        std::slice::from_ref(&self.shade)
     }
 
-    fn shade(
-        _params: &ShMipEnvmapParams,
-        state: &mut State,
-        cx: &mut GpuCx,
-        _quantity: Quantity,
-        inputs: &Inputs<'_, Gpu>,
-        _out: &mut GpuEstimate,
-    ) -> Result<(), EstimatorError> {
-        let shade = state.shade.as_ref().ok_or(EstimatorError::Unprepared)?;
-        shade.record(cx, inputs.points.workgroups());
-        Ok(())
+    fn records(&self, context: &GpuContext) -> Result<Vec<Records>, EstimatorError> {
+        let pyramid = self.pyramid.as_ref().filter(|_| self.filled);
+        let pyramid = pyramid.map(|p| ("pyramid", &p.texels));
+        let buffers = std::iter::once(("coefficients", &self.harmonics.coefficients));
+        let read = |(name, buffer)| Records::device::<[f32; 4]>(name, context, buffer);
+        buffers.chain(pyramid).map(read).collect()
     }
 }
 

@@ -16,14 +16,9 @@ use crate::{
 use glam::Vec3;
 use interreflect_scene::{CubeSpec, Needs, SceneFacts};
 
-pub use params::{LodMode, ShMipEnvmapParams, Window};
-
-/// The method.
-pub struct ShMipEnvmap;
+pub use params::{LodMode, ShMipEnvmap, Window};
 
 impl Method for ShMipEnvmap {
-    type Params = ShMipEnvmapParams;
-
     const INFO: Info = Info {
         id: "sh_mip_envmap",
         title: "Spherical harmonics and mip pyramid",
@@ -33,29 +28,25 @@ impl Method for ShMipEnvmap {
 
     const QUANTITIES: &'static [Quantity] = &[Quantity::Irradiance, Quantity::GlossyRadiance];
 
-    fn needs(
-        params: &Self::Params,
-        _quantity: Quantity,
-        _scene: &SceneFacts,
-    ) -> Result<Needs, Unsupported> {
+    fn needs(&self, _quantity: Quantity, _scene: &SceneFacts) -> Result<Needs, Unsupported> {
         Ok(Needs {
-            cubes: [params.captured()].into(),
+            cubes: [self.captured()].into(),
             ..Needs::default()
         })
     }
 
-    fn model(params: &Self::Params, _quantity: Quantity) -> OwnModel {
+    fn model(&self, _quantity: Quantity) -> OwnModel {
         OwnModel::EnvironmentAtInfinity {
-            bounces: params.bounces,
+            bounces: self.bounces,
         }
     }
 
-    fn claims(params: &Self::Params, quantity: Quantity) -> Vec<Claim> {
-        claims::claims(params, quantity)
+    fn claims(&self, quantity: Quantity) -> Vec<Claim> {
+        claims::claims(self, quantity)
     }
 }
 
-impl ShMipEnvmapParams {
+impl ShMipEnvmap {
     /// The captured cube: `capture_resolution`, rounded up to a multiple of both averaged cubes'.
     pub fn captured(&self) -> CubeSpec {
         let multiple = self.sh_size().max(self.base_size());
@@ -79,22 +70,19 @@ impl ShMipEnvmapParams {
     fn top_level(&self) -> u32 {
         self.base_size().ilog2()
     }
-}
 
-/// Checks that a level can be found for the points that need one.
-fn check_levels<B: Backend>(
-    params: &ShMipEnvmapParams,
-    inputs: &Inputs<'_, B>,
-) -> Result<(), EstimatorError> {
-    let mut glossy = inputs.host_points.iter().flatten();
-    let mut known = || glossy.any(|p| p.material.specular != Vec3::ZERO && p.footprint > 0.0);
-    if params.lod_mode == LodMode::Absolute || known() {
-        return Ok(());
-    }
-    Err(Unsupported(
-        "sh_mip_envmap with lod_mode=bias takes the level from neighbouring pixels, and these \
+    /// Checks that a level can be found for the points that need one.
+    fn check_levels<B: Backend>(&self, inputs: &Inputs<'_, B>) -> Result<(), EstimatorError> {
+        let mut glossy = inputs.host_points.iter().flatten();
+        let mut known = || glossy.any(|p| p.material.specular != Vec3::ZERO && p.footprint > 0.0);
+        if self.lod_mode == LodMode::Absolute || known() {
+            return Ok(());
+        }
+        Err(Unsupported(
+            "sh_mip_envmap with lod_mode=bias takes the level from neighbouring pixels, and these \
          points have none: render an image, or set lod_mode=absolute"
-            .into(),
-    )
-    .into())
+                .into(),
+        )
+        .into())
+    }
 }

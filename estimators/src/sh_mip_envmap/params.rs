@@ -37,7 +37,7 @@ impl Choice for LodMode {
 /// The smallest resolutions keep the loops of a shader invocation, which sums up to 128² captured
 /// texels, below 65,536 turns: lavapipe ends them there without a word.
 #[derive(Clone, Debug, PartialEq)]
-pub struct ShMipEnvmapParams {
+pub struct ShMipEnvmap {
     /// Texels along a face's edge of the cube that spherical harmonics are projected from.
     pub sh_resolution: u32,
     /// Window over the bands.
@@ -58,7 +58,7 @@ pub struct ShMipEnvmapParams {
     pub fidelity: Fidelity,
 }
 
-impl Default for ShMipEnvmapParams {
+impl Default for ShMipEnvmap {
     fn default() -> Self {
         Self {
             sh_resolution: 8,
@@ -74,7 +74,7 @@ impl Default for ShMipEnvmapParams {
     }
 }
 
-impl Params for ShMipEnvmapParams {
+impl Params for ShMipEnvmap {
     fn fields() -> Vec<Field<Self>> {
         let mut fields = maps();
         fields.extend([
@@ -91,14 +91,14 @@ impl Params for ShMipEnvmapParams {
 }
 
 /// What both maps are made of.
-fn maps() -> Vec<Field<ShMipEnvmapParams>> {
+fn maps() -> Vec<Field<ShMipEnvmap>> {
     vec![
         Field::u32(
             "sh_resolution",
             "texels along a face's edge of the cube that the spherical harmonics are projected \
              from, rounded up to a power of two",
             8..=64,
-            |p: &ShMipEnvmapParams| p.sh_resolution,
+            |p: &ShMipEnvmap| p.sh_resolution,
             |p, v| p.sh_resolution = v,
         )
         .unit("texels")
@@ -106,14 +106,14 @@ fn maps() -> Vec<Field<ShMipEnvmapParams>> {
         Field::choice(
             "window",
             "window over the bands of the spherical harmonics, against negative values",
-            |p: &ShMipEnvmapParams| p.window,
+            |p: &ShMipEnvmap| p.window,
             |p, v| p.window = v,
         ),
         Field::u32(
             "resolution",
             "texels along a face's edge of the mip pyramid's base, rounded up to a power of two",
             8..=512,
-            |p: &ShMipEnvmapParams| p.resolution,
+            |p: &ShMipEnvmap| p.resolution,
             |p, v| p.resolution = v,
         )
         .unit("texels")
@@ -122,7 +122,7 @@ fn maps() -> Vec<Field<ShMipEnvmapParams>> {
             "lod",
             "level of the mip pyramid (0: the base), or the bias on it; clamped to the pyramid",
             -10.0..=10.0,
-            |p: &ShMipEnvmapParams| p.lod,
+            |p: &ShMipEnvmap| p.lod,
             |p, v| p.lod = v,
         )
         .symbol("b"),
@@ -130,7 +130,7 @@ fn maps() -> Vec<Field<ShMipEnvmapParams>> {
             "lod_mode",
             "absolute: the level is lod; bias: lod is added to the level that the mirrored \
              direction's change between neighbouring pixels calls for (points of images only)",
-            |p: &ShMipEnvmapParams| p.lod_mode,
+            |p: &ShMipEnvmap| p.lod_mode,
             |p, v| p.lod_mode = v,
         ),
     ]

@@ -1,6 +1,6 @@
 //! What depends on the parameters alone: weights of texels.
 
-use super::ShMipEnvmapParams;
+use super::ShMipEnvmap;
 use super::math::{HARMONICS, band_factor, harmonics};
 use crate::averaging::{cube_texels, face_solid_angles_sr};
 use glam::DVec3;
@@ -20,7 +20,7 @@ const GAUSS: [(f64, f64); 4] = [
 /// harmonic the texels in the order of their indices, band factors included.
 ///
 /// `published` takes Y at a texel's centre times its exact solid angle, `corrected` ∫Y dω over it.
-pub(super) fn harmonic_weights(params: &ShMipEnvmapParams) -> Vec<f32> {
+pub(super) fn harmonic_weights(params: &ShMipEnvmap) -> Vec<f32> {
     let size = params.sh_size();
     let texels: Vec<[f64; HARMONICS]> = cube_texels(size)
         .map(|(face, column, row)| match params.fidelity {
@@ -81,9 +81,9 @@ mod tests {
     #[test]
     fn weights_are_orthogonal_to_a_constant_and_sum_to_pi_in_band_0() {
         for fidelity in [Fidelity::Published, Fidelity::Corrected] {
-            let params = ShMipEnvmapParams {
+            let params = ShMipEnvmap {
                 fidelity,
-                ..ShMipEnvmapParams::default()
+                ..ShMipEnvmap::default()
             };
             let weights = harmonic_weights(&params);
             let texels = weights.len() / HARMONICS;

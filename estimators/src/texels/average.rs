@@ -8,7 +8,7 @@ use interreflect_scene::conventions::{CUBE_FACES, cube_vector, texel_centre, tex
 
 /// How captured texels become one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Averaging {
+pub enum Averaging {
     /// Plain means of radiance and distance (P1 §2); averaged distances leave the wall.
     Plain,
     /// Radiance weighted by solid angle; distance and normal of the surface along the ray through
@@ -23,7 +23,7 @@ pub(super) const NEAREST_M: f32 = 1e-30;
 pub(super) const EDGE_ON: f64 = 1e-6;
 
 /// What averaging reads beside the capture; depends on a method's parameters alone.
-pub(crate) struct Tables {
+pub struct Tables {
     /// M: texels along a face's edge.
     pub(super) resolution: u32,
     pub(super) averaging: Averaging,
@@ -38,7 +38,7 @@ impl Tables {
     ///
     /// `extent` of (column, row) becomes the texel's extent as it is with [`Averaging::Plain`], and
     /// over the cosine between ray and surface normal at the texel with [`Averaging::Exact`].
-    pub(crate) fn new(
+    pub fn new(
         resolution: u32,
         capture_resolution: u32,
         averaging: Averaging,
@@ -62,13 +62,13 @@ impl Tables {
 
     /// Averages a capture, in the order of texel indices. A cube without distances is at infinity,
     /// one without normals faces the reference point.
-    pub(crate) fn average(&self, captured: &CubeImage) -> Vec<Texel> {
+    pub fn average(&self, captured: &CubeImage) -> Vec<Texel> {
         let m = self.resolution;
         let mut texels = Vec::with_capacity(CUBE_FACES * (m * m) as usize);
         for face in 0..CUBE_FACES {
             for row in 0..m {
                 for column in 0..m {
-                    let at = Place { face, column, row };
+                    let at = CubeTexel { face, column, row };
                     texels.push(match self.averaging {
                         Averaging::Plain => self.plain(captured, at),
                         Averaging::Exact => self.exact(captured, at),
@@ -79,11 +79,11 @@ impl Tables {
         texels
     }
 
-    fn extent(&self, at: Place) -> f64 {
+    fn extent(&self, at: CubeTexel) -> f64 {
         f64::from(self.extents[texel_index(self.resolution, 0, at.column, at.row)])
     }
 
-    fn plain(&self, captured: &CubeImage, at: Place) -> Texel {
+    fn plain(&self, captured: &CubeImage, at: CubeTexel) -> Texel {
         let m = self.resolution;
         let mut radiance = DVec3::ZERO;
         let (mut distance, mut met) = (0.0, 0_u32);
@@ -111,9 +111,9 @@ impl Tables {
         }
     }
 
-    fn exact(&self, captured: &CubeImage, at: Place) -> Texel {
+    fn exact(&self, captured: &CubeImage, at: CubeTexel) -> Texel {
         let m = self.resolution;
-        let Place { face, column, row } = at;
+        let CubeTexel { face, column, row } = at;
         let direction = at.ray(m);
         let middle = middle(m, captured.size, at);
         let (inverse_distance, normal) = surface_along(captured, middle, direction);
@@ -131,15 +131,18 @@ impl Tables {
 
 /// A texel of a face.
 #[derive(Clone, Copy)]
-pub(crate) struct Place {
-    pub(crate) face: usize,
-    pub(crate) column: u32,
-    pub(crate) row: u32,
+pub struct CubeTexel {
+    /// Index of the face: +x −x +y −y +z −z.
+    pub face: usize,
+    /// Column on the face.
+    pub column: u32,
+    /// Row on the face.
+    pub row: u32,
 }
 
-impl Place {
+impl CubeTexel {
     /// Unit direction of its middle on a face of `size`² texels.
-    pub(crate) fn ray(self, size: u32) -> DVec3 {
+    pub fn ray(self, size: u32) -> DVec3 {
         let (s, t) = (
             texel_centre(size, self.column),
             texel_centre(size, self.row),
@@ -151,10 +154,10 @@ impl Place {
 /// The captured texel at the middle of one of the M×M texels; of the four around it, where their
 /// number is even, the one of the smallest column and row. A fixed choice: on an edge of the scene
 /// that the middle ray meets exactly, both backends then take the same side.
-fn middle(m: u32, size: u32, at: Place) -> Place {
+fn middle(m: u32, size: u32, at: CubeTexel) -> CubeTexel {
     let step = size / m;
     let middle = |i: u32| i * step + (step - 1) / 2;
-    Place {
+    CubeTexel {
         column: middle(at.column),
         row: middle(at.row),
         ..at
@@ -163,7 +166,7 @@ fn middle(m: u32, size: u32, at: Place) -> Place {
 
 /// 1/d in 1/m along `direction` of the surface that the captured texel `near` lies on, and its
 /// normal; 0 and the direction back where there is no surface.
-pub(crate) fn surface_along(captured: &CubeImage, near: Place, direction: DVec3) -> (f32, Vec3) {
+pub fn surface_along(captured: &CubeImage, near: CubeTexel, direction: DVec3) -> (f32, Vec3) {
     let index = texel_index(captured.size, near.face, near.column, near.row);
     let back = -direction.as_vec3();
     match captured.distance.get(index) {

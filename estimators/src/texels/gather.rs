@@ -2,13 +2,13 @@
 
 use super::Texel;
 use super::math::{cos_half, towards_texel};
-use crate::Quantity;
+use crate::{Cpu, Frame, Quantity};
 use interreflect_cpu::lane::{Lane, Vector};
-use interreflect_cpu::tiles::{CpuCx, PointLanes, TileKernel};
-use interreflect_scene::{Estimate, PointLayout, Points};
+use interreflect_cpu::tiles::{PointLanes, TileKernel};
+use interreflect_scene::PointLayout;
 
 /// What a texel counts: a method's own formulas.
-pub(crate) trait TexelLight: Sync {
+pub trait TexelLight: Sync {
     /// What the reflectivity needs of the points' lobes.
     type Lobe<L: Lane>;
 
@@ -28,13 +28,13 @@ pub(crate) trait TexelLight: Sync {
 impl Texel {
     /// What the method says of its size, in each lane.
     #[inline(always)]
-    pub(crate) fn extents<L: Lane>(&self) -> L {
+    pub fn extents<L: Lane>(&self) -> L {
         L::from(self.extent)
     }
 
     /// Cosine between its surface's normal and the direction back along `i`.
     #[inline(always)]
-    pub(crate) fn cos_surface<L: Lane>(&self, i: Vector<L>) -> L {
+    pub fn cos_surface<L: Lane>(&self, i: Vector<L>) -> L {
         -i.dot(Vector::splat(self.normal))
     }
 }
@@ -42,28 +42,25 @@ impl Texel {
 /// Cosines at the point between its normal and the direction to a texel, to the viewer and the half
 /// vector of both.
 #[derive(Clone, Copy)]
-pub(crate) struct Cosines<L> {
-    pub(crate) n_i: L,
-    pub(crate) n_v: L,
-    pub(crate) n_h: L,
+pub struct Cosines<L> {
+    /// Between normal and direction to the texel.
+    pub n_i: L,
+    /// Between normal and direction to the viewer.
+    pub n_v: L,
+    /// Between normal and half vector.
+    pub n_h: L,
 }
 
-/// Sums over texels around `origin` at every point.
-pub(crate) fn gather<M: TexelLight>(
-    cx: &CpuCx,
-    (quantity, points): (Quantity, &Points),
-    (origin, texels): ([f32; 3], &[Texel]),
-    method: M,
-    out: &mut Estimate,
-) {
+/// Sums over texels around the reference point at every point.
+pub fn gather<M: TexelLight>(frame: &mut Frame<'_, Cpu>, texels: &[Texel], method: M) {
     let sum = Sum {
         texels,
-        origin,
+        origin: frame.reference_point.to_array(),
         method,
     };
-    match quantity {
-        Quantity::GlossyRadiance => cx.for_each_tile(points, out, &Glossy(sum)),
-        _ => cx.for_each_tile(points, out, &Diffuse(sum)),
+    match frame.quantity {
+        Quantity::GlossyRadiance => frame.for_each_tile(&Glossy(sum)),
+        _ => frame.for_each_tile(&Diffuse(sum)),
     }
 }
 

@@ -2,45 +2,44 @@
 
 use super::Texel;
 use super::average::{Averaging, Tables};
-use crate::{EstimatorError, Gpu, Inputs, LOBE_POWER, Quantity, Records};
+use crate::averaging::captured_radiance;
+use crate::{EstimatorError, Frame, Gpu, LOBE_POWER, Quantity, Records};
 use bytemuck::{Pod, Zeroable};
-use interreflect_gpu::{
-    Binding, Constants, GpuContext, GpuCube, GpuCx, GpuEstimate, Kernel, Shader, wgsl,
-};
+use interreflect_gpu::{Binding, Constants, GpuContext, GpuCube, GpuCx, Kernel, Shader, wgsl};
 use interreflect_scene::conventions::CUBE_FACES;
 use interreflect_scene::{CubeChannels, CubeSpec};
 
 /// The surface along a ray of a capture.
-pub(crate) const SURFACE: &str = include_str!("surface.wgsl");
+pub const SURFACE: &str = include_str!("surface.wgsl");
 
 /// The struct `Texel`.
-pub(crate) const TEXEL: &str = include_str!("texel.wgsl");
+pub const TEXEL: &str = include_str!("texel.wgsl");
 
 /// Leaf functions of the sum.
-pub(crate) const LEAVES: &str = include_str!("math.wgsl");
+pub const LEAVES: &str = include_str!("math.wgsl");
 
 /// The entry points `irradiance` and `glossy`.
-pub(crate) const GATHER: &str = include_str!("gather.wgsl");
+pub const GATHER: &str = include_str!("gather.wgsl");
 
 /// The texels as a uniform array.
-pub(crate) const UNIFORM: &str = include_str!("texels_uniform.wgsl");
+pub const UNIFORM: &str = include_str!("texels_uniform.wgsl");
 
 /// The texels as a storage array.
-pub(crate) const STORAGE: &str = include_str!("texels_storage.wgsl");
+pub const STORAGE: &str = include_str!("texels_storage.wgsl");
 
 /// Texels that the uniform buffer of texels_uniform.wgsl holds: 48 KiB of the 64 that WebGPU
 /// guarantees.
 pub(super) const UNIFORM_TEXELS: usize = 1024;
 
 /// Averages captures to texels.
-pub(crate) const AVERAGE: Shader = Shader {
+pub const AVERAGE: Shader = Shader {
     label: "texels average",
     parts: &[wgsl::CUBE, TEXEL, SURFACE, include_str!("average.wgsl")],
 };
 
 /// The parts of a shader that gathers from `texels`: [`UNIFORM`] or [`STORAGE`]. `leaves` are the
 /// method's formulas, `light` what it says of a texel to gather.wgsl.
-pub(crate) const fn gather_parts(
+pub const fn gather_parts(
     leaves: &'static str,
     light: &'static str,
     texels: &'static str,
@@ -77,12 +76,12 @@ pub(super) struct Gather {
 }
 
 /// Number in WGSL for the channels of place that a capture has.
-pub(crate) fn place(channels: CubeChannels) -> u32 {
+pub fn place(channels: CubeChannels) -> u32 {
     u32::from(channels.distance) + u32::from(channels.distance && channels.normal)
 }
 
 /// [`Tables`] on the device.
-pub(crate) struct GpuTables {
+pub struct GpuTables {
     resolution: u32,
     averaging: Averaging,
     omegas_sr: wgpu::Buffer,
@@ -90,7 +89,11 @@ pub(crate) struct GpuTables {
 }
 
 impl GpuTables {
-    pub(crate) fn new(context: &GpuContext, tables: &Tables) -> Result<Self, EstimatorError> {
+    /// Uploads the tables.
+    ///
+    /// # Errors
+    /// [`EstimatorError`] if the device refuses.
+    pub fn new(context: &GpuContext, tables: &Tables) -> Result<Self, EstimatorError> {
         Ok(Self {
             resolution: tables.resolution,
             averaging: tables.averaging,
@@ -100,12 +103,12 @@ impl GpuTables {
     }
 
     /// Number of texels.
-    pub(crate) fn count(&self) -> u32 {
+    pub fn count(&self) -> u32 {
         CUBE_FACES as u32 * self.resolution * self.resolution
     }
 
     /// The texels of a buffer that [`GpuTables::average`] returned, as the CPU has them.
-    pub(crate) fn records(
+    pub fn records(
         &self,
         context: &GpuContext,
         texels: &wgpu::Buffer,
@@ -115,7 +118,7 @@ impl GpuTables {
     }
 
     /// Records the averaging of a capture and returns the buffer of texels that it fills.
-    pub(crate) fn average(
+    pub fn average(
         &self,
         cx: &mut GpuCx,
         captured: &GpuCube,
@@ -151,29 +154,27 @@ impl GpuTables {
 
 /// The slots `captured` and `normals` of shaders with the part [`SURFACE`]. A capture without
 /// normals gives its radiance twice: the shader does not look at normals then.
-pub(crate) fn views(captured: &GpuCube) -> Result<[Binding<'_>; 2], EstimatorError> {
-    let missing = || EstimatorError::Missing("the radiance of the captured cube".into());
-    let radiance = captured.radiance_distance().ok_or_else(missing)?;
-    let normals = captured.normal().unwrap_or(radiance);
-    Ok([radiance.into(), normals.into()])
+pub fn views(captured: &GpuCube) -> Result<[Binding<'_>; 2], EstimatorError> {
+    let radiance = captured_radiance(captured)?;
+    Ok([radiance, captured.normal().map_or(radiance, Binding::from)])
 }
 
 /// The kernel that sums over texels at every point. `shaders`: with the texels as a uniform and as
 /// a storage array; `own`: the bindings of the method's own slots, from 5 on.
-pub(crate) fn gather_kernel(
-    context: &GpuContext,
+pub fn gather_kernel(
+    frame: &Frame<'_, Gpu>,
     shaders: &[Shader; 2],
     constants: Constants<'_>,
     (texels, count): (&wgpu::Buffer, u32),
-    (quantity, inputs, out): (Quantity, &Inputs<'_, Gpu>, &GpuEstimate),
     own: &[Binding<'_>],
 ) -> Result<Kernel, EstimatorError> {
-    let origin = inputs.reference_point.to_array();
+    let context = frame.context();
+    let origin = frame.reference_point.to_array();
     let gather = context.uniform("texels gather", &Gather { origin, count })?;
-    let [points, info, estimate] = inputs.points.bindings(out);
+    let [points, info, estimate] = frame.point_bindings();
     let mut bindings = vec![points, info, estimate, (&gather).into(), texels.into()];
     bindings.extend_from_slice(own);
-    let entry = match quantity {
+    let entry = match frame.quantity {
         Quantity::GlossyRadiance => "glossy",
         _ => "irradiance",
     };

@@ -1,9 +1,9 @@
 //! A captured cube averaged to a few texels, each at its surface's place, and the sum over them:
 //! what the methods share that take the texels of a cube map for small lights.
 
-pub(crate) mod average;
-pub(crate) mod gather;
-pub(crate) mod gpu;
+pub mod average;
+pub mod gather;
+pub mod gpu;
 pub mod math;
 
 use interreflect_scene::{CubeChannels, CubeSpec, SceneFacts};
@@ -11,7 +11,7 @@ use interreflect_scene::{CubeChannels, CubeSpec, SceneFacts};
 /// The capture that is averaged down to `resolution`² texels a face: of `capture_resolution`² a face,
 /// rounded up so that each texel averages the same whole number. Nothing has a place, and no normal,
 /// without surfaces.
-pub(crate) fn capture(
+pub fn capture(
     resolution: u32,
     capture_resolution: u32,
     bounces: u32,
@@ -32,7 +32,7 @@ pub(crate) fn capture(
 /// One texel, as both backends read it: three vectors of four `f32`s.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
-pub(crate) struct Texel {
+pub struct Texel {
     /// Unit direction from the reference point.
     pub direction: [f32; 3],
     /// w = 1/d in 1/m; 0 at infinity.

@@ -8,15 +8,13 @@ use crate::error::HarnessError;
 use crate::gallery::Gallery;
 use crate::metrics;
 use crate::record::{Backend, Comparison, Floor, ParamMap, Run};
-use crate::stages::Stages;
+use crate::stages::{Timed, measure_on};
 use crate::truth::References;
 use crate::view::View;
-use interreflect_cpu::scene::CpuScene;
 use interreflect_cpu::tiles::{Arithmetic, CpuCx};
-use interreflect_estimators::stage::{CpuStage, captured, estimated};
+use interreflect_estimators::execution::{BackendScene, CpuLoadedScene, LoadedScene};
 use interreflect_estimators::{Configured, EstimatorError, Quantity};
 use interreflect_scene::{Estimate, Points};
-use std::sync::Arc;
 
 /// Where tasks are done.
 pub(super) struct Cell<'a> {
@@ -25,8 +23,7 @@ pub(super) struct Cell<'a> {
     pub(super) setup: &'a Setup,
     pub(super) quantity: Quantity,
     pub(super) cx: &'a CpuCx,
-    pub(super) scene: Arc<CpuScene>,
-    pub(super) stages: &'a Stages<'a>,
+    pub(super) loaded: &'a LoadedScene,
     pub(super) view: &'a View,
     pub(super) points: Points,
     pub(super) references: References<'a>,
@@ -83,10 +80,7 @@ impl Cell<'_> {
         image: Option<(&Gallery, String)>,
     ) -> (Run, Option<String>) {
         let mut run = self.record(method, backend);
-        let measured =
-            self.stages
-                .measure(backend, method, self.quantity, &self.points, &self.sampling);
-        let timed = match measured {
+        let timed = match self.measured(method, backend, &self.sampling) {
             Ok(timed) => timed,
             Err(why) => {
                 let (reason, failed) = skip_reason(why);
@@ -125,6 +119,16 @@ impl Cell<'_> {
         });
         let failure = shown.err().map(|why| why.to_string());
         (run, failure)
+    }
+
+    fn measured(
+        &self,
+        method: &dyn Configured,
+        backend: Backend,
+        sampling: &Sampling,
+    ) -> Result<Timed, HarnessError> {
+        let (quantity, points) = (self.quantity, &self.points);
+        measure_on(self.loaded, backend, method, quantity, points, sampling)
     }
 
     fn flip(&mut self, estimate: &Estimate) -> Option<f64> {
@@ -178,20 +182,10 @@ impl Cell<'_> {
         arithmetic: Arithmetic,
     ) -> Result<Estimate, HarnessError> {
         let cx = self.cx.with_arithmetic(arithmetic);
-        let stage = CpuStage {
-            cx: &cx,
-            scene: self.scene.clone(),
-        };
-        let scene = self.scene.scene();
-        let captures = captured(&stage, scene, method, self.quantity)?;
-        Ok(estimated(
-            &stage,
-            scene,
-            method,
-            self.quantity,
-            &captures,
-            &self.points,
-        )?)
+        let scene = CpuLoadedScene::new(&cx, self.loaded.cpu().scene.clone());
+        Ok(scene
+            .executor(method, self.quantity, &self.points)?
+            .estimate()?)
     }
 
     /// An estimate on the GPU; `None` where it can't be had there.
@@ -199,11 +193,7 @@ impl Cell<'_> {
         &self,
         method: &dyn Configured,
     ) -> Result<Option<Estimate>, HarnessError> {
-        let once = Sampling::ONCE;
-        match self
-            .stages
-            .measure(Backend::Gpu, method, self.quantity, &self.points, &once)
-        {
+        match self.measured(method, Backend::Gpu, &Sampling::ONCE) {
             Ok(timed) => Ok(Some(timed.measured.estimate)),
             Err(why) => match skip_reason(why) {
                 (_, false) => Ok(None),

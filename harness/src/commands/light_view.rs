@@ -5,9 +5,9 @@ use super::print_line;
 use super::render::OUT;
 use crate::cli::Render;
 use crate::error::HarnessError;
-use crate::lab::Lab;
+use crate::lab::{GpuUse, Lab};
 use crate::output::{Exposure, HdrImage, Header, write_exr, write_png};
-use crate::stages::Stages;
+use crate::stages::light_views;
 use glam::Vec3;
 use interreflect_estimators::{Quantity, Registry};
 use interreflect_scene::LightViewImage;
@@ -24,16 +24,13 @@ pub(super) fn run(
     let id = [command.estimator.clone()];
     lab.check_owners(&id, &command.settings)?;
     let method = lab.configure(&command.estimator, &command.settings)?;
-    let on_gpu = command
-        .backend
-        .list()
-        .contains(&crate::record::Backend::Gpu);
+    let gpu = GpuUse::required_in(command.backend.list());
     let (source, settings) = (&command.scene, &command.settings);
-    let loaded = lab.load(source, &command.scene_options, settings, on_gpu)?;
-    let scene = loaded.cpu.clone();
+    let loaded = lab.load(source, &command.scene_options, settings, gpu)?;
+    let scene = loaded.scene();
     let quantity = command.quantity.or(method.quantities().first().copied());
     let quantity = quantity.unwrap_or(Quantity::Irradiance);
-    let needs = method.needs(quantity, &scene.scene().facts())?;
+    let needs = method.needs(quantity, &scene.facts())?;
     if needs.light_views.is_empty() {
         return Err(HarnessError::Usage(format!(
             "--show light_view: {} takes no pictures from the lights; `interreflect list --needs` \
@@ -41,12 +38,11 @@ pub(super) fn run(
             command.estimator
         )));
     }
-    let stages = Stages::new(&lab.cpu, loaded.complete()?);
     let folder = command.out.clone().unwrap_or_else(|| OUT.into());
     for &backend in command.backend.list() {
-        for views in stages.light_views(backend, &needs)? {
+        for views in light_views(&loaded, backend, &needs)? {
             for (channel, values, shown) in channels(&views) {
-                let (name, id) = (&scene.scene().name, method.info().id);
+                let (name, id) = (&scene.name, method.info().id);
                 let stem = format!("{name}-{id}-light_view-{channel}-{backend}");
                 write_exr(
                     &folder.join(format!("{stem}.exr")),

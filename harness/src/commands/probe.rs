@@ -4,10 +4,10 @@ use super::{print_json, print_line};
 use crate::cli::Probe;
 use crate::clock::Sampling;
 use crate::error::HarnessError;
-use crate::lab::Lab;
+use crate::lab::{GpuUse, Lab};
 use crate::output::write_json;
 use crate::record::Backend;
-use crate::stages::{Stages, Timed};
+use crate::stages::{Timed, measure_on};
 use glam::Vec3;
 use interreflect_estimators::{Configured, Quantity, Registry};
 use interreflect_scene::load::open_points;
@@ -32,17 +32,15 @@ pub(super) fn run(command: &Probe, registry: Registry) -> Result<(), HarnessErro
         None => main_quantity(&*method)?,
     };
     let points = points(command, quantity)?;
-    let gpu = command.backend == Backend::Gpu;
     let loaded = lab.load(
         &command.scene,
         &command.scene_options,
         &command.settings,
-        gpu,
+        GpuUse::required_in(&[command.backend]),
     )?;
-    let stages = Stages::new(&lab.cpu, loaded.complete()?);
     let backend = command.backend;
-    let Timed { measured, .. } =
-        stages.measure(backend, &*method, quantity, &points, &Sampling::ONCE)?;
+    let once = Sampling::ONCE;
+    let Timed { measured, .. } = measure_on(&loaded, backend, &*method, quantity, &points, &once)?;
     let probed = Probed {
         estimator: method.info().id,
         backend,

@@ -3,7 +3,7 @@
 use super::{print_json, print_line};
 use crate::cli::{ReferenceBudget, ReferenceCommand, Setting};
 use crate::error::HarnessError;
-use crate::lab::Lab;
+use crate::lab::{GpuUse, Lab};
 use crate::output::{HdrImage, Header, write_exr, write_json};
 use crate::view::View;
 use interreflect_cpu::path_tracer::{LightPaths, Stop, trace};
@@ -43,9 +43,9 @@ pub(super) fn run(
         &command.scene,
         &command.scene_options,
         &command.settings,
-        false,
+        GpuUse::No,
     )?;
-    let scene = &*loaded.cpu;
+    let scene = &*loaded.cpu().scene;
     let camera = scene.scene().camera;
     let view = lab
         .cpu

@@ -4,10 +4,10 @@ use super::{print_json, print_line};
 use crate::cli::Render;
 use crate::clock::Sampling;
 use crate::error::HarnessError;
-use crate::lab::Lab;
+use crate::lab::{GpuUse, Lab};
 use crate::output::{Exposure, HdrImage, Header, write_exr, write_png};
 use crate::record::{Backend, Phases, Run};
-use crate::stages::{Stages, Timed};
+use crate::stages::{Timed, measure_on};
 use crate::view::View;
 use glam::Vec3;
 use interreflect_estimators::{Configured, Quantity, Registry};
@@ -44,26 +44,25 @@ pub(super) fn run(
     lab.check_owners(&id, &command.settings)?;
     let method = lab.configure(&command.estimator, &command.settings)?;
     let shown = Shown::choose(&*method, command.quantity);
-    let gpu = command.backend.list().contains(&Backend::Gpu);
     let loaded = lab.load(
         &command.scene,
         &command.scene_options,
         &command.settings,
-        gpu,
+        GpuUse::required_in(command.backend.list()),
     )?;
-    let scene = loaded.cpu.clone();
+    let scene = &loaded.cpu().scene;
     let camera = resized(scene.scene(), command);
     let view = lab
         .cpu
-        .install(|| View::with(&scene, &camera, command.look()))?;
+        .install(|| View::with(scene, &camera, command.look()))?;
     let points = view.points(shown.quantity().layout());
     let materials = view.points(PointLayout::Material);
-    let stages = Stages::new(&lab.cpu, loaded.complete()?);
     let mut rendered = Vec::new();
     for &backend in command.backend.list() {
         let Timed {
             measured, software, ..
-        } = stages.measure(
+        } = measure_on(
+            &loaded,
             backend,
             &*method,
             shown.quantity(),

@@ -5,17 +5,15 @@ use super::{print_json, print_line};
 use crate::cli::Render;
 use crate::error::HarnessError;
 use crate::frames::Frame;
-use crate::lab::Lab;
+use crate::lab::{GpuUse, Lab};
 use crate::output::{Exposure, write_png};
 use crate::record::Backend;
-use crate::stages::{Running, Stages};
+use crate::stages::{Sequence, next_frame};
 use crate::view::View;
-use interreflect_cpu::scene::CpuScene;
 use interreflect_estimators::Registry;
-use interreflect_scene::{PointLayout, Scene};
+use interreflect_scene::PointLayout;
 use serde::Serialize;
 use std::path::PathBuf;
-use std::sync::Arc;
 
 #[derive(Serialize)]
 struct Rendered {
@@ -30,12 +28,6 @@ struct Rendered {
     png: PathBuf,
 }
 
-/// A frame's scene where it can be rendered.
-struct Place<'a> {
-    stages: Stages<'a>,
-    cpu: Arc<CpuScene>,
-}
-
 pub(super) fn run(command: &Render, registry: Registry) -> Result<(), HarnessError> {
     let lab = Lab::new(registry, &command.run)?;
     let id = [command.estimator.clone()];
@@ -44,30 +36,30 @@ pub(super) fn run(command: &Render, registry: Registry) -> Result<(), HarnessErr
     let shown = Shown::choose(&*method, command.quantity);
     let rest = lab.scene(&command.scene, &command.scene_options, &command.settings)?;
     let moves = rest.moves();
-    let on_gpu = command.backend.list().contains(&Backend::Gpu);
-    let mut place = set_up(&lab, &rest, on_gpu)?;
-    let (mut running, mut exposure) = (Running::default(), None);
+    let gpu = GpuUse::required_in(command.backend.list());
+    let mut loaded = lab.set_up(&rest, gpu)?;
+    let (mut sequence, mut exposure) = (Sequence::default(), None);
     let mut all = Vec::new();
     for index in 0..command.frames.unwrap_or(1) {
         let time_s = index as f32 / command.fps;
         let scene = rest.at(time_s);
         if moves.geometry || moves.lights || moves.environment {
-            place = set_up(&lab, &scene, on_gpu)?;
+            loaded = lab.set_up(&scene, gpu)?;
         }
         let camera = resized(&scene, command);
         let look = command.look();
-        let view = lab.cpu.install(|| View::with(&place.cpu, &camera, look))?;
+        let cpu = &loaded.cpu().scene;
+        let view = lab.cpu.install(|| View::with(cpu, &camera, look))?;
         let points = view.points(shown.quantity().layout());
         let frame = Frame {
             scene: &scene,
             moves,
             points: &points,
-            seen: view.seen(),
+            visible: view.visible(),
         };
         for &backend in command.backend.list() {
             let (method, quantity) = (&*method, shown.quantity());
-            let stages = &place.stages;
-            let shaded = stages.next_frame(backend, &mut running, method, quantity, &frame)?;
+            let shaded = next_frame(&loaded, backend, &mut sequence, method, quantity, &frame)?;
             let materials = view.points(PointLayout::Material);
             let image = shown.image(&view, &materials, &shaded.estimate);
             // One for all frames: brightness must not flicker.
@@ -103,11 +95,4 @@ pub(super) fn run(command: &Render, registry: Registry) -> Result<(), HarnessErr
         true => print_json(&all),
         false => Ok(()),
     }
-}
-
-fn set_up<'a>(lab: &'a Lab, scene: &Scene, on_gpu: bool) -> Result<Place<'a>, HarnessError> {
-    let loaded = lab.set_up(scene, on_gpu)?.complete()?;
-    let cpu = loaded.cpu.clone();
-    let stages = Stages::new(&lab.cpu, loaded);
-    Ok(Place { stages, cpu })
 }

@@ -9,7 +9,9 @@ use crate::error::HarnessError;
 use crate::lab::Lab;
 use crate::output::write_json;
 use crate::record::Backend;
-use interreflect_conformance::verify::{Check, Checked, Rig, Subject, Verdict, checks, quick};
+use interreflect_conformance::verify::{
+    Check, Checked, MethodUnderTest, TestBackend, Verdict, checks, quick,
+};
 use interreflect_estimators::{Configured, Quantity, Registry};
 use interreflect_gpu::GpuError;
 use interreflect_scene::params::FIDELITY;
@@ -177,11 +179,11 @@ fn subject<'a>(
     command: &Verify,
     (method, quantity): (&'a dyn Configured, Quantity),
     backend: Backend,
-) -> Result<Subject<'a>, GpuError> {
-    Ok(Subject {
-        rig: match backend {
-            Backend::Cpu => Rig::Cpu(&lab.cpu),
-            Backend::Gpu => Rig::Gpu(&lab.cpu, lab.gpu()?),
+) -> Result<MethodUnderTest<'a>, GpuError> {
+    Ok(MethodUnderTest {
+        backend: match backend {
+            Backend::Cpu => TestBackend::Cpu(&lab.cpu),
+            Backend::Gpu => TestBackend::Gpu(&lab.cpu, lab.gpu()?),
         },
         method,
         quantity,

@@ -3,8 +3,8 @@
 use super::candidate::{Candidate, FrameTime, grouped};
 use super::{Measured, Metric, Place};
 use crate::record::{ParamValue, Run};
-use interreflect_estimators::path_reference::PathReferenceParams;
-use interreflect_estimators::{Method as _, path_reference::PathReference};
+use interreflect_estimators::Method as _;
+use interreflect_estimators::path_reference::PathReference;
 use interreflect_scene::params::values;
 use serde::Serialize;
 use std::fmt;
@@ -41,7 +41,7 @@ impl Baseline {
     pub fn of(run: &Run) -> Option<Self> {
         let path_traced = run.estimator == PathReference::INFO.id;
         let bounces = run.params.get(BOUNCES).filter(|_| path_traced)?;
-        let usual = values(&PathReferenceParams::default());
+        let usual = values(&PathReference::default());
         let mut fixed = usual
             .into_iter()
             .filter(|(field, _)| ![SAMPLES, BOUNCES, SEED].contains(&field.name));

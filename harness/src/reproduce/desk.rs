@@ -7,17 +7,16 @@ use super::shot::Shot;
 use crate::clock::Sampling;
 use crate::error::HarnessError;
 use crate::frames::{Frame, Shaded};
-use crate::lab::Lab;
+use crate::lab::{GpuUse, Lab};
 use crate::record::{Backend, Phases, Run, TimeSource};
-use crate::stages::{Running, Stages};
+use crate::stages::{Sequence, measure_on, next_frame};
 use crate::truth::References;
 use crate::view::{Look, View};
 use interreflect_cpu::path_tracer::Stop;
-use interreflect_cpu::scene::CpuScene;
-use interreflect_estimators::{Configured, Quantity, Seen};
+use interreflect_estimators::execution::LoadedScene;
+use interreflect_estimators::{Configured, Quantity, VisibleTriangles};
 use interreflect_scene::motion::Moves;
 use interreflect_scene::{Camera, Points, Role, Scene};
-use std::sync::Arc;
 
 /// Share of a mesh's area turned inside out above which it is remarked.
 const FOLDED: f64 = 1e-3;
@@ -28,12 +27,6 @@ pub struct Desk<'a> {
     backends: Vec<Backend>,
     assets: Assets,
     quick: bool,
-}
-
-/// A scene on the backends.
-pub(super) struct Room<'a> {
-    pub(super) cpu: Arc<CpuScene>,
-    pub(super) stages: Stages<'a>,
 }
 
 impl<'a> Desk<'a> {
@@ -107,12 +100,8 @@ impl<'a> Desk<'a> {
     }
 
     /// Sets a scene up on the backends.
-    pub(super) fn set_up(&self, scene: &Scene) -> Result<Room<'a>, HarnessError> {
-        let on_gpu = self.backends.contains(&Backend::Gpu);
-        let loaded = self.lab.set_up(scene, on_gpu)?;
-        let cpu = loaded.cpu.clone();
-        let stages = Stages::new(&self.lab.cpu, loaded);
-        Ok(Room { cpu, stages })
+    pub(super) fn set_up(&self, scene: &Scene) -> Result<LoadedScene, HarnessError> {
+        self.lab.set_up(scene, GpuUse::where_listed(&self.backends))
     }
 
     /// Opens a scene and sets it up.
@@ -120,18 +109,18 @@ impl<'a> Desk<'a> {
         &self,
         place: &Place,
         finding: &mut Finding,
-    ) -> Result<Room<'a>, HarnessError> {
+    ) -> Result<LoadedScene, HarnessError> {
         self.set_up(&self.scene(place, finding)?)
     }
 
     /// What a room's camera sees, cropped to about as many shaded points as a picture has.
-    pub(super) fn view(&self, room: &Room<'_>) -> Result<View, HarnessError> {
+    pub(super) fn view(&self, room: &LoadedScene) -> Result<View, HarnessError> {
         self.view_of(room, self.points())
     }
 
     /// As [`Self::view`], of about as many points as said.
-    pub(super) fn view_of(&self, room: &Room<'_>, count: usize) -> Result<View, HarnessError> {
-        let scene = &*room.cpu;
+    pub(super) fn view_of(&self, room: &LoadedScene, count: usize) -> Result<View, HarnessError> {
+        let scene = &*room.cpu().scene;
         let camera = scene.scene().camera;
         self.lab
             .cpu
@@ -141,11 +130,11 @@ impl<'a> Desk<'a> {
     /// What a room's camera sees, `width` pixels wide.
     pub(super) fn whole_view(
         &self,
-        room: &Room<'_>,
+        room: &LoadedScene,
         width: u32,
         look: Look,
     ) -> Result<View, HarnessError> {
-        let scene = &*room.cpu;
+        let scene = &*room.cpu().scene;
         let camera = scene.scene().camera;
         let [w, h] = camera.resolution;
         let camera = Camera {
@@ -170,7 +159,7 @@ impl<'a> Desk<'a> {
     /// The references of a quantity at points, none of them computed yet.
     pub(super) fn references<'b>(
         &'b self,
-        room: &'b Room<'_>,
+        room: &'b LoadedScene,
         quantity: Quantity,
         points: &'b Points,
     ) -> References<'b> {
@@ -181,7 +170,7 @@ impl<'a> Desk<'a> {
     /// more than a mean.
     pub(super) fn precise<'b>(
         &'b self,
-        room: &'b Room<'_>,
+        room: &'b LoadedScene,
         quantity: Quantity,
         points: &'b Points,
     ) -> References<'b> {
@@ -195,18 +184,18 @@ impl<'a> Desk<'a> {
     fn references_to<'b>(
         &'b self,
         stop: Stop,
-        room: &'b Room<'_>,
+        room: &'b LoadedScene,
         quantity: Quantity,
         points: &'b Points,
     ) -> References<'b> {
         let (cx, seed) = (&self.lab.cpu, self.lab.seed);
-        References::new(cx, &room.cpu, quantity, points, stop, seed)
+        References::new(cx, &room.cpu().scene, quantity, points, stop, seed)
     }
 
     /// Runs a method for its estimate alone: its record has no times.
     pub(super) fn shot(
         &self,
-        room: &Room<'_>,
+        room: &LoadedScene,
         backend: Backend,
         method: &dyn Configured,
         quantity: Quantity,
@@ -220,7 +209,7 @@ impl<'a> Desk<'a> {
     /// Runs and times a method.
     pub(super) fn timed_shot(
         &self,
-        room: &Room<'_>,
+        room: &LoadedScene,
         backend: Backend,
         method: &dyn Configured,
         quantity: Quantity,
@@ -238,15 +227,13 @@ impl<'a> Desk<'a> {
     /// The only place that measures.
     fn measured(
         &self,
-        room: &Room<'_>,
+        room: &LoadedScene,
         backend: Backend,
         method: &dyn Configured,
         (quantity, points): (Quantity, &Points),
         sampling: &Sampling,
     ) -> Result<Shot, HarnessError> {
-        let timed = room
-            .stages
-            .measure(backend, method, quantity, points, sampling)?;
+        let timed = measure_on(room, backend, method, quantity, points, sampling)?;
         let values = method.values().into_iter();
         let run = Run {
             fidelity: method.fidelity().map(str::to_owned),
@@ -259,7 +246,7 @@ impl<'a> Desk<'a> {
             truth_missing: Some("compared by the experiment".into()),
             own_model_missing: Some("compared by the experiment".into()),
             ..Run::new(
-                room.cpu.scene().name.clone(),
+                room.scene().name.clone(),
                 method.info().id,
                 backend,
                 quantity.name(),
@@ -274,21 +261,20 @@ impl<'a> Desk<'a> {
     /// Runs the next frame of a sequence.
     pub(super) fn frame(
         &self,
-        room: &Room<'_>,
-        (running, backend): (&mut Running, Backend),
+        room: &LoadedScene,
+        (running, backend): (&mut Sequence, Backend),
         method: &dyn Configured,
         quantity: Quantity,
-        (points, seen, moves): (&Points, Option<Seen<'_>>, Moves),
+        (points, seen, moves): (&Points, Option<VisibleTriangles<'_>>, Moves),
     ) -> Result<Shaded, HarnessError> {
-        let scene = room.cpu.scene();
+        let scene = room.scene();
         let frame = Frame {
             scene,
             moves,
             points,
-            seen,
+            visible: seen,
         };
-        room.stages
-            .next_frame(backend, running, method, quantity, &frame)
+        next_frame(room, backend, running, method, quantity, &frame)
     }
 
     /// Whether times of a backend are a software adapter's.

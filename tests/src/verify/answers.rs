@@ -5,7 +5,7 @@ mod openness;
 mod patches;
 mod uniform;
 
-use super::{Asked, Finding, Found, Nothing, Subject, claimed};
+use super::{Asked, Finding, Found, MethodUnderTest, Nothing, claimed};
 use glam::DVec3;
 use interreflect_estimators::{Answers, Claim, OwnModel, Quantity};
 use interreflect_scene::{
@@ -57,7 +57,7 @@ impl Answer {
         matches!(claim, Claim::Meets { answers, .. } if *answers == self.kind)
     }
 
-    pub(super) fn run(&self, subject: &Subject<'_>) -> (Asked, Found) {
+    pub(super) fn run(&self, subject: &MethodUnderTest<'_>) -> (Asked, Found) {
         let claim = claimed(subject, |claim| match *claim {
             Claim::Meets {
                 answers,
@@ -73,7 +73,7 @@ impl Answer {
         (asked, self.found(subject, claim.unwrap_or((TRIED, ""))))
     }
 
-    fn found(&self, subject: &Subject<'_>, (bound, cause): (f64, &str)) -> Found {
+    fn found(&self, subject: &MethodUnderTest<'_>, (bound, cause): (f64, &str)) -> Found {
         let settings = (self.settings)(subject.model(), subject.quantity).ok_or_else(|| {
             Nothing::NotApplicable(format!(
                 "what it computes of {} has no closed form here",
@@ -100,11 +100,15 @@ impl Answer {
     }
 
     /// Largest difference over the largest answer, and where.
-    fn worst(&self, subject: &Subject<'_>, setting: &Setting) -> Result<(f64, String), Nothing> {
+    fn worst(
+        &self,
+        subject: &MethodUnderTest<'_>,
+        setting: &Setting,
+    ) -> Result<(f64, String), Nothing> {
         let list = setting.points.iter().map(|(point, _)| Some(*point));
         let points = Points::new(subject.quantity.layout(), list);
-        let (rig, method) = (subject.rig, subject.method);
-        let estimate = rig.estimate(&setting.scene, method, subject.quantity, &points)?;
+        let (backend, method) = (subject.backend, subject.method);
+        let estimate = backend.estimate(&setting.scene, method, subject.quantity, &points)?;
         let pairs = setting.points.iter().zip(estimate.iter());
         let pairs = pairs.map(|((point, exact), value)| (*point, *exact, value.as_dvec3()));
         let largest = setting.points.iter().map(|(_, e)| e.abs().max_element());

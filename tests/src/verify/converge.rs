@@ -2,7 +2,7 @@
 
 use super::case::Case;
 use super::world::Lighting;
-use super::{Asked, Finding, Found, Nothing, Subject, VerifyError, claimed};
+use super::{Asked, Finding, Found, MethodUnderTest, Nothing, VerifyError, claimed};
 use interreflect_estimators::{Claim, Configured, Quantity};
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
@@ -10,7 +10,7 @@ use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 pub(super) const NAME: &str = "converges";
 pub(super) const ABOUT: &str = "closer to its own model in a convex room as a parameter grows";
 
-pub(super) fn run(subject: &Subject<'_>) -> (Asked, Found) {
+pub(super) fn run(subject: &MethodUnderTest<'_>) -> (Asked, Found) {
     let claim = claimed(subject, |claim| match *claim {
         Claim::Converges {
             parameter,
@@ -30,7 +30,7 @@ pub(super) fn run(subject: &Subject<'_>) -> (Asked, Found) {
 }
 
 fn found(
-    subject: &Subject<'_>,
+    subject: &MethodUnderTest<'_>,
     (parameter, values, within, cause): (&str, [&str; 2], f64, &str),
 ) -> Found {
     if subject.quantity != Quantity::Irradiance {
@@ -62,7 +62,7 @@ fn found(
 }
 
 /// Some rooms of the random ones.
-fn rooms(subject: &Subject<'_>) -> Vec<Case> {
+fn rooms(subject: &MethodUnderTest<'_>) -> Vec<Case> {
     let mut seed = [1; 32];
     seed[..8].copy_from_slice(&subject.seed.to_le_bytes());
     let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &seed);
@@ -74,11 +74,11 @@ fn rooms(subject: &Subject<'_>) -> Vec<Case> {
 
 /// Mean difference from the exact answer over what surroundings of the greatest radiance give.
 fn mean_error(
-    subject: &Subject<'_>,
+    subject: &MethodUnderTest<'_>,
     method: &dyn Configured,
     rooms: &[Case],
 ) -> Result<f64, VerifyError> {
-    let of = Subject {
+    let of = MethodUnderTest {
         method,
         case: None,
         ..*subject

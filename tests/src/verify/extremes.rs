@@ -4,16 +4,14 @@
 mod axes;
 
 use super::world::Lighting;
-use super::{Rig, Subject, Verdict, VerifyError, claimed};
+use super::{MethodUnderTest, TestBackend, Verdict, VerifyError, claimed};
 use crate::exchange::uploaded;
 use axes::{Axis, Place};
-use interreflect_cpu::scene::CpuScene;
 use interreflect_cpu::tiles::Arithmetic;
-use interreflect_estimators::stage::{CpuStage, GpuStage, captured, estimated};
+use interreflect_estimators::execution::BackendScene;
 use interreflect_estimators::{Claim, Configured, Quantity};
-use interreflect_gpu::GpuScene;
 use interreflect_scene::{Estimate, Points, Scene};
-use std::sync::Arc;
+use std::rc::Rc;
 
 /// One method at one place of an axis.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,7 +35,7 @@ pub struct Extreme {
 }
 
 /// Takes a method to every extreme.
-pub fn extremes(subject: &Subject<'_>) -> Vec<Extreme> {
+pub fn extremes(subject: &MethodUnderTest<'_>) -> Vec<Extreme> {
     let lighting = Lighting::of(subject.model(), subject.quantity);
     let mut all = Vec::new();
     for axis in axes::all() {
@@ -48,7 +46,7 @@ pub fn extremes(subject: &Subject<'_>) -> Vec<Extreme> {
     all
 }
 
-fn at(subject: &Subject<'_>, axis: &Axis, value: f64, lighting: Lighting) -> Extreme {
+fn at(subject: &MethodUnderTest<'_>, axis: &Axis, value: f64, lighting: Lighting) -> Extreme {
     let blank = Extreme {
         axis: axis.name,
         unit: axis.unit,
@@ -95,7 +93,7 @@ struct Measured {
     relative_error: Option<f64>,
 }
 
-fn judged(subject: &Subject<'_>, axis: &Axis, found: Measured, blank: Extreme) -> Extreme {
+fn judged(subject: &MethodUnderTest<'_>, axis: &Axis, found: Measured, blank: Extreme) -> Extreme {
     let bound = claimed(subject, |claim| match *claim {
         Claim::Bounded { by, .. } => Some(by),
         _ => None,
@@ -119,22 +117,22 @@ fn judged(subject: &Subject<'_>, axis: &Axis, found: Measured, blank: Extreme) -
     }
 }
 
-fn measured(subject: &Subject<'_>, place: &Place) -> Result<Measured, VerifyError> {
+fn measured(subject: &MethodUnderTest<'_>, place: &Place) -> Result<Measured, VerifyError> {
     let Place {
         scene,
         points,
         method,
         greatest,
     } = place;
-    let (rig, quantity) = (subject.rig, subject.quantity);
+    let (backend, quantity) = (subject.backend, subject.quantity);
     // On its own captures: finite, or an error.
-    let own = rig.estimate(scene, &**method, quantity, points)?;
-    let (Rig::Cpu(cx) | Rig::Gpu(cx, _)) = rig;
+    let own = backend.estimate(scene, &**method, quantity, points)?;
+    let (TestBackend::Cpu(cx) | TestBackend::Gpu(cx, _)) = backend;
     let float64 = cx.with_arithmetic(Arithmetic::Float64);
-    let exact = Rig::Cpu(&float64).estimate(scene, &**method, quantity, points)?;
-    let compared = match rig {
-        Rig::Cpu(_) => Some(own.clone()),
-        Rig::Gpu(..) => on_host_captures(rig, scene, &**method, quantity, points)?,
+    let exact = TestBackend::Cpu(&float64).estimate(scene, &**method, quantity, points)?;
+    let compared = match backend {
+        TestBackend::Cpu(_) => Some(own.clone()),
+        TestBackend::Gpu(..) => on_host_captures(backend, scene, &**method, quantity, points)?,
     };
     let largest = |e: &Estimate| {
         e.iter()
@@ -154,25 +152,24 @@ fn measured(subject: &Subject<'_>, place: &Place) -> Result<Measured, VerifyErro
 
 /// The device's estimate on the host's captures; `None` for methods whose depth maps can't be given.
 fn on_host_captures(
-    rig: Rig<'_>,
+    backend: TestBackend<'_>,
     scene: &Scene,
     method: &dyn Configured,
     quantity: Quantity,
     points: &Points,
 ) -> Result<Option<Estimate>, VerifyError> {
-    let Rig::Gpu(cx, context) = rig else {
+    let TestBackend::Gpu(_, context) = backend else {
         return Ok(None);
     };
-    let host = CpuStage {
-        cx,
-        scene: Arc::new(cx.install(|| CpuScene::new(scene))?),
-    };
-    let captures = captured(&host, scene, method, quantity)?;
+    let loaded = backend.load(scene)?;
+    let captures = loaded
+        .cpu()
+        .executor(method, quantity, points)?
+        .captures()?;
     if !captures.depths.is_empty() {
         return Ok(None);
     }
-    let given = uploaded(context, &captures)?;
-    let stage = GpuStage::new(context.clone(), GpuScene::new(context, scene)?, host);
-    let estimate = estimated(&stage, scene, method, quantity, &given, points)?;
-    Ok(Some(estimate))
+    let mut on_device = loaded.gpu()?.executor(method, quantity, points)?;
+    on_device.set_captures(Rc::new(uploaded(context, &captures)?));
+    Ok(Some(on_device.estimate()?))
 }

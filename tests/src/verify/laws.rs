@@ -1,6 +1,6 @@
 //! Laws of form factors, tried on a method's own kernel with random patches.
 
-use super::{Asked, Finding, Found, Nothing, Subject, claimed};
+use super::{Asked, Finding, Found, MethodUnderTest, Nothing, claimed};
 use glam::{Quat, Vec3};
 use interreflect_estimators::{Claim, FormFactorLaw, PatchKernel};
 use proptest::prelude::*;
@@ -81,12 +81,12 @@ impl Law {
     }
 
     /// Tries to falsify the law.
-    pub(super) fn run(&self, subject: &Subject<'_>) -> (Asked, Found) {
+    pub(super) fn run(&self, subject: &MethodUnderTest<'_>) -> (Asked, Found) {
         (Asked::Claimed, self.found(subject))
     }
 
-    fn found(&self, subject: &Subject<'_>) -> Found {
-        if subject.rig.name() != "cpu" {
+    fn found(&self, subject: &MethodUnderTest<'_>) -> Found {
+        if subject.backend.name() != "cpu" {
             let why = "a kernel is tried on the host; its WGSL twin is compared with it".into();
             return Err(Nothing::NotApplicable(why));
         }

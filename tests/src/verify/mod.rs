@@ -9,19 +9,19 @@ mod case;
 mod converge;
 mod extremes;
 mod laws;
+mod method_under_test;
 mod property;
-mod rig;
 mod rules;
 mod settings;
-mod subject;
+mod test_backend;
 mod world;
 
 pub use case::Case;
 pub use extremes::{Extreme, extremes};
-pub use rig::{OnStage, Rig, VerifyError};
+pub use method_under_test::MethodUnderTest;
 pub use rules::rules_in;
 pub use settings::quick;
-pub use subject::Subject;
+pub use test_backend::{OnBackend, TestBackend, VerifyError};
 pub use world::{Lighting, Placement, World, sky};
 
 use answers::Answer;
@@ -157,8 +157,8 @@ impl Check {
     }
 
     /// Carries the check out.
-    pub fn run(&self, subject: &Subject<'_>) -> Checked {
-        if let Err(why) = subject.rig.opens(subject.method) {
+    pub fn run(&self, subject: &MethodUnderTest<'_>) -> Checked {
+        if let Err(why) = subject.backend.opens(subject.method) {
             return Checked::because(Verdict::NotApplicable, why.to_string());
         }
         let (asked, found) = match &self.kind {
@@ -219,6 +219,6 @@ fn judged(asked: &Asked, found: Found) -> Checked {
 }
 
 /// The bound that some claim of a method gives, and why.
-fn claimed<T>(subject: &Subject<'_>, of: impl Fn(&Claim) -> Option<T>) -> Option<T> {
+fn claimed<T>(subject: &MethodUnderTest<'_>, of: impl Fn(&Claim) -> Option<T>) -> Option<T> {
     subject.claims().iter().find_map(of)
 }

@@ -5,7 +5,7 @@ mod light;
 
 use super::case::Case;
 use super::world::{Lighting, World};
-use super::{Asked, Finding, Found, Nothing, Subject, VerifyError, claimed};
+use super::{Asked, Finding, Found, MethodUnderTest, Nothing, VerifyError, claimed};
 use glam::Vec3;
 use interreflect_estimators::{Claim, Quantity};
 use interreflect_scene::Estimate;
@@ -25,7 +25,7 @@ pub(super) struct Property {
     /// Why it can't be asked under this lighting, if it can't.
     out_of_place: fn(Lighting, Quantity) -> Option<&'static str>,
     /// How far it is from holding in a world.
-    violation: fn(&Subject<'_>, &World) -> Result<Worst, VerifyError>,
+    violation: fn(&MethodUnderTest<'_>, &World) -> Result<Worst, VerifyError>,
 }
 
 /// What a bound leaves room for.
@@ -98,7 +98,7 @@ impl Property {
     }
 
     /// Tries to falsify the claim.
-    pub(super) fn run(&self, subject: &Subject<'_>) -> (Asked, Found) {
+    pub(super) fn run(&self, subject: &MethodUnderTest<'_>) -> (Asked, Found) {
         let claim = claimed(subject, self.bound);
         let asked = match claim {
             Some(_) => Asked::Claimed,
@@ -107,7 +107,7 @@ impl Property {
         (asked, self.found(subject, claim))
     }
 
-    fn found(&self, subject: &Subject<'_>, claim: Option<(f64, &'static str)>) -> Found {
+    fn found(&self, subject: &MethodUnderTest<'_>, claim: Option<(f64, &'static str)>) -> Found {
         let lighting = Lighting::of(subject.model(), subject.quantity);
         if let Some(why) = (self.out_of_place)(lighting, subject.quantity) {
             return Err(Nothing::NotApplicable(why.into()));
@@ -160,7 +160,7 @@ impl Property {
     /// One world's finding, in words.
     fn tell(
         &self,
-        subject: &Subject<'_>,
+        subject: &MethodUnderTest<'_>,
         case: &Case,
         lighting: Lighting,
         bound: f64,
@@ -188,7 +188,7 @@ impl Property {
         })
     }
 
-    fn slack(&self, subject: &Subject<'_>, lighting: Lighting) -> f64 {
+    fn slack(&self, subject: &MethodUnderTest<'_>, lighting: Lighting) -> f64 {
         let facts = super::case::facts(lighting);
         let rounding = subject.rounding(&facts);
         match self.slack {
@@ -199,7 +199,7 @@ impl Property {
 }
 
 /// Worlds from the subject's seed, the same for every property, method and backend.
-fn runner(subject: &Subject<'_>) -> TestRunner {
+fn runner(subject: &MethodUnderTest<'_>) -> TestRunner {
     let config = Config {
         cases: subject.cases,
         // No more than `SHRINKING` of them are tried; the largest number would mean four a case.

@@ -5,7 +5,7 @@ mod points;
 
 use super::case::Case;
 use super::world::{Lighting, World};
-use super::{Asked, Checked, Finding, Found, Nothing, Subject, judged};
+use super::{Asked, Checked, Finding, Found, MethodUnderTest, Nothing, judged};
 use glam::Vec3;
 use interreflect_scene::{Points, Scene};
 
@@ -19,9 +19,9 @@ pub(super) struct Rule {
 /// Where a rule can be tried.
 enum Where {
     /// In any scene, at any points.
-    Scene(fn(&Subject<'_>, &Scene, &Points) -> Outcome),
+    Scene(fn(&MethodUnderTest<'_>, &Scene, &Points) -> Outcome),
     /// In a world that the rule changes.
-    World(fn(&Subject<'_>, World) -> Outcome),
+    World(fn(&MethodUnderTest<'_>, World) -> Outcome),
 }
 
 /// How often a rule was broken.
@@ -51,7 +51,7 @@ pub(super) fn all() -> Vec<Rule> {
 }
 
 impl Rule {
-    pub(super) fn run(&self, subject: &Subject<'_>) -> Found {
+    pub(super) fn run(&self, subject: &MethodUnderTest<'_>) -> Found {
         let world = world(subject);
         match self.broken {
             Where::Scene(_) => {
@@ -62,7 +62,7 @@ impl Rule {
         }
     }
 
-    fn in_scene(&self, subject: &Subject<'_>, scene: &Scene, points: &Points) -> Found {
+    fn in_scene(&self, subject: &MethodUnderTest<'_>, scene: &Scene, points: &Points) -> Found {
         match self.broken {
             Where::Scene(broken) => finding(broken(subject, scene, points)?),
             Where::World(_) => Err(Nothing::NotApplicable("it needs a world to change".into())),
@@ -72,7 +72,7 @@ impl Rule {
 
 /// The rules that can be tried in any scene, tried there: each one's name and what it came to.
 pub fn rules_in<'a>(
-    subject: &'a Subject<'a>,
+    subject: &'a MethodUnderTest<'a>,
     scene: &'a Scene,
     points: &'a Points,
 ) -> impl Iterator<Item = (&'static str, Checked)> + 'a {
@@ -95,7 +95,7 @@ fn finding(broken: Broken) -> Found {
 }
 
 /// A world of unequal walls, with more points than a block of 64, and not a multiple of sixteen.
-fn world(subject: &Subject<'_>) -> World {
+fn world(subject: &MethodUnderTest<'_>) -> World {
     const POINTS: usize = 203;
     Case::unequal(POINTS).world(Lighting::of(subject.model(), subject.quantity))
 }

@@ -1,24 +1,20 @@
 //! Too much light, said to be none too much: an estimator whose claims are false.
 
 use glam::Vec3;
-use interreflect_cpu::tiles::CpuCx;
 use interreflect_estimators::{
-    Answers, Claim, Cpu, CpuOnly, Estimator, EstimatorError, Info, Inputs, Method, OwnModel,
-    Quantity, Unsupported,
+    Answers, Claim, Cpu, CpuOnly, Estimator, EstimatorError, Frame, Info, Method, OwnModel,
+    Prepared, Quantity, Unsupported,
 };
 use interreflect_scene::params::{Field, Params};
-use interreflect_scene::{CubeSpec, Estimate, Needs, SceneFacts};
+use interreflect_scene::{CubeSpec, Needs, SceneFacts};
 use std::f32::consts::PI;
 
 /// The brightest radiance that is seen from the reference point, doubled, as if it arrived from
 /// everywhere.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Boastful;
 
-/// It has none.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct NoParams;
-
-impl Params for NoParams {
+impl Params for Boastful {
     fn fields() -> Vec<Field<Self>> {
         Vec::new()
     }
@@ -29,8 +25,6 @@ fn captured() -> CubeSpec {
 }
 
 impl Method for Boastful {
-    type Params = NoParams;
-
     const INFO: Info = Info {
         id: "boastful",
         title: "Twice the brightest",
@@ -39,18 +33,18 @@ impl Method for Boastful {
 
     const QUANTITIES: &'static [Quantity] = &[Quantity::Irradiance];
 
-    fn needs(_: &NoParams, _: Quantity, _: &SceneFacts) -> Result<Needs, Unsupported> {
+    fn needs(&self, _: Quantity, _: &SceneFacts) -> Result<Needs, Unsupported> {
         Ok(Needs {
             cubes: [captured()].into(),
             ..Needs::default()
         })
     }
 
-    fn model(_: &NoParams, _: Quantity) -> OwnModel {
+    fn model(&self, _: Quantity) -> OwnModel {
         OwnModel::MeanRadiance { bounces: 0 }
     }
 
-    fn claims(_: &NoParams, _: Quantity) -> Vec<Claim> {
+    fn claims(&self, _: Quantity) -> Vec<Claim> {
         vec![
             Claim::NonNegative,
             Claim::Bounded {
@@ -71,38 +65,28 @@ impl CpuOnly for Boastful {
     const NO_GPU: &'static str = "this example runs on the CPU only";
 }
 
-/// Twice the brightest radiance; `None` until it was prepared.
-#[derive(Default)]
-pub struct State(Option<Vec3>);
+/// Twice the brightest radiance.
+pub struct Twice(Vec3);
 
 impl Estimator<Cpu> for Boastful {
-    type State = State;
+    type Prepared = Twice;
 
     fn prepare(
-        _params: &NoParams,
-        state: &mut State,
-        _cx: &mut &CpuCx,
-        _quantity: Quantity,
-        inputs: &Inputs<'_, Cpu>,
-        _out: &Estimate,
-    ) -> Result<(), EstimatorError> {
-        let radiance = &inputs.cube(&captured())?.radiance;
+        &self,
+        frame: &mut Frame<'_, Cpu>,
+        _last: Option<Twice>,
+    ) -> Result<Twice, EstimatorError> {
+        let radiance = &frame.cube(&captured())?.radiance;
         let brightest = radiance.iter().copied().fold(Vec3::ZERO, Vec3::max);
-        state.0 = Some(2.0 * brightest);
-        Ok(())
+        Ok(Twice(2.0 * brightest))
     }
+}
 
-    fn shade(
-        _params: &NoParams,
-        state: &mut State,
-        _cx: &mut &CpuCx,
-        _quantity: Quantity,
-        inputs: &Inputs<'_, Cpu>,
-        out: &mut Estimate,
-    ) -> Result<(), EstimatorError> {
-        let radiance = state.0.ok_or(EstimatorError::Unprepared)?;
-        for (i, point) in inputs.points.iter().enumerate() {
-            out.set(i, point.map_or(Vec3::ZERO, |_| PI * radiance));
+impl Prepared<Cpu> for Twice {
+    fn shade(&self, frame: &mut Frame<'_, Cpu>) -> Result<(), EstimatorError> {
+        for (i, point) in frame.points.iter().enumerate() {
+            let irradiance = point.map_or(Vec3::ZERO, |_| PI * self.0);
+            frame.out.set(i, irradiance);
         }
         Ok(())
     }

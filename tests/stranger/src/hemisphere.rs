@@ -1,26 +1,23 @@
 //! Ambient light of two colours: an estimator whose claims are true.
 
 use glam::Vec3;
-use interreflect_cpu::tiles::CpuCx;
+use interreflect_estimators::averaging::cube_texels;
 use interreflect_estimators::{
-    Answers, Claim, Cpu, CpuOnly, Estimator, EstimatorError, Info, Inputs, Method, OwnModel,
-    Quantity, Unsupported,
+    Answers, Claim, Cpu, CpuOnly, Estimator, EstimatorError, Frame, Info, Method, OwnModel,
+    Prepared, Quantity, Unsupported,
 };
-use interreflect_scene::conventions::{CUBE_FACES, cube_vector, texel_centre, texel_index};
+use interreflect_scene::conventions::{cube_vector, texel_centre, texel_index};
 use interreflect_scene::params::{Field, Params};
-use interreflect_scene::{CubeSpec, Estimate, Needs, SceneFacts};
+use interreflect_scene::{CubeSpec, Needs, SceneFacts};
 use std::f32::consts::PI;
 
 /// Ambient light of two colours: one from above, one from below, blended by the normal.
-pub struct HemisphereAmbient;
-
-/// Parameters of [`HemisphereAmbient`].
 #[derive(Clone, Debug, PartialEq)]
-pub struct HemisphereParams {
+pub struct HemisphereAmbient {
     capture_resolution: u32,
 }
 
-impl Default for HemisphereParams {
+impl Default for HemisphereAmbient {
     fn default() -> Self {
         Self {
             capture_resolution: 32,
@@ -28,7 +25,7 @@ impl Default for HemisphereParams {
     }
 }
 
-impl Params for HemisphereParams {
+impl Params for HemisphereAmbient {
     fn fields() -> Vec<Field<Self>> {
         vec![
             Field::u32(
@@ -43,13 +40,11 @@ impl Params for HemisphereParams {
     }
 }
 
-fn captured(params: &HemisphereParams) -> CubeSpec {
-    CubeSpec::of_radiance(params.capture_resolution)
+fn captured(method: &HemisphereAmbient) -> CubeSpec {
+    CubeSpec::of_radiance(method.capture_resolution)
 }
 
 impl Method for HemisphereAmbient {
-    type Params = HemisphereParams;
-
     const INFO: Info = Info {
         id: "hemisphere_ambient",
         title: "Hemisphere ambient light",
@@ -58,18 +53,18 @@ impl Method for HemisphereAmbient {
 
     const QUANTITIES: &'static [Quantity] = &[Quantity::Irradiance];
 
-    fn needs(p: &HemisphereParams, _: Quantity, _: &SceneFacts) -> Result<Needs, Unsupported> {
+    fn needs(&self, _: Quantity, _: &SceneFacts) -> Result<Needs, Unsupported> {
         Ok(Needs {
-            cubes: [captured(p)].into(),
+            cubes: [captured(self)].into(),
             ..Needs::default()
         })
     }
 
-    fn model(_: &HemisphereParams, _: Quantity) -> OwnModel {
+    fn model(&self, _: Quantity) -> OwnModel {
         OwnModel::EnvironmentAtInfinity { bounces: 0 }
     }
 
-    fn claims(_: &HemisphereParams, _: Quantity) -> Vec<Claim> {
+    fn claims(&self, _: Quantity) -> Vec<Claim> {
         vec![
             Claim::NonNegative,
             Claim::Bounded {
@@ -91,54 +86,40 @@ impl CpuOnly for HemisphereAmbient {
     const NO_GPU: &'static str = "this example runs on the CPU only";
 }
 
-/// Mean radiance from above and from below; `None` until it was prepared.
-#[derive(Default)]
-pub struct State(Option<[Vec3; 2]>);
+/// Mean radiance from above and from below.
+pub struct Means([Vec3; 2]);
 
 impl Estimator<Cpu> for HemisphereAmbient {
-    type State = State;
+    type Prepared = Means;
 
     fn prepare(
-        params: &HemisphereParams,
-        state: &mut State,
-        _cx: &mut &CpuCx,
-        _quantity: Quantity,
-        inputs: &Inputs<'_, Cpu>,
-        _out: &Estimate,
-    ) -> Result<(), EstimatorError> {
-        let cube = inputs.cube(&captured(params))?;
+        &self,
+        frame: &mut Frame<'_, Cpu>,
+        _last: Option<Means>,
+    ) -> Result<Means, EstimatorError> {
+        let cube = frame.cube(&captured(self))?;
         let mut sums = [(Vec3::ZERO, 0.0_f32); 2];
-        for face in 0..CUBE_FACES {
-            for row in 0..cube.size {
-                for column in 0..cube.size {
-                    let (s, t) = (
-                        texel_centre(cube.size, column),
-                        texel_centre(cube.size, row),
-                    );
-                    let l = cube_vector(face, s, t);
-                    let omega = 1.0 / l.length().powi(3) as f32;
-                    let radiance = cube.radiance[texel_index(cube.size, face, column, row)];
-                    let sum = &mut sums[usize::from(l.y < 0.0)];
-                    *sum = (sum.0 + radiance * omega, sum.1 + omega);
-                }
-            }
+        for (face, column, row) in cube_texels(cube.size) {
+            let (s, t) = (
+                texel_centre(cube.size, column),
+                texel_centre(cube.size, row),
+            );
+            let l = cube_vector(face, s, t);
+            let omega = 1.0 / l.length().powi(3) as f32;
+            let radiance = cube.radiance[texel_index(cube.size, face, column, row)];
+            let sum = &mut sums[usize::from(l.y < 0.0)];
+            *sum = (sum.0 + radiance * omega, sum.1 + omega);
         }
-        state.0 = Some(sums.map(|(sum, omega)| sum / omega));
-        Ok(())
+        Ok(Means(sums.map(|(sum, omega)| sum / omega)))
     }
+}
 
-    fn shade(
-        _params: &HemisphereParams,
-        state: &mut State,
-        _cx: &mut &CpuCx,
-        _quantity: Quantity,
-        inputs: &Inputs<'_, Cpu>,
-        out: &mut Estimate,
-    ) -> Result<(), EstimatorError> {
-        let [above, below] = state.0.ok_or(EstimatorError::Unprepared)?;
-        for (i, point) in inputs.points.iter().enumerate() {
+impl Prepared<Cpu> for Means {
+    fn shade(&self, frame: &mut Frame<'_, Cpu>) -> Result<(), EstimatorError> {
+        let [above, below] = self.0;
+        for (i, point) in frame.points.iter().enumerate() {
             let radiance = point.map(|p| below.lerp(above, 0.5 + 0.5 * p.normal.y));
-            out.set(i, PI * radiance.unwrap_or_default());
+            frame.out.set(i, PI * radiance.unwrap_or_default());
         }
         Ok(())
     }

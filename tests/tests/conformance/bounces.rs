@@ -2,7 +2,7 @@
 
 use crate::ensure;
 use crate::subjects::{SUBJECTS, Subject};
-use crate::world::{CPU, Outcome, Variant, bounced, cpu_stage, run};
+use crate::world::{CPU, Outcome, Variant, bounced, cpu_scene, run};
 use interreflect_conformance::own_model::evaluate;
 use interreflect_cpu::path_tracer::{LightPaths, Stop};
 use interreflect_estimators::{OwnModel, Quantity};
@@ -61,7 +61,7 @@ fn every_bounce_adds_less(subject: &Subject, mut variant: Variant) -> Outcome {
     let mut sums: Vec<f64> = Vec::new();
     for bounces in 0..6 {
         variant.method.set("bounces", &bounces.to_string())?;
-        let estimate: Estimate = run(&cpu_stage(subject), subject, &variant, &points)?;
+        let estimate: Estimate = run(&cpu_scene(subject), &variant, &points)?;
         sums.push(estimate.iter().map(|v| f64::from(v.element_sum())).sum());
     }
     let added: Vec<f64> = sums.windows(2).map(|s| s[1] - s[0]).collect();

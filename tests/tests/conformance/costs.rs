@@ -2,10 +2,9 @@
 
 use crate::ensure;
 use crate::subjects::{SUBJECTS, Subject};
-use crate::world::{Outcome, Variant, captures, gpu_stage, on_gpu, variants};
+use crate::world::{Outcome, Variant, gpu_scene, on_gpu, variants};
 use interreflect_cpu::scene::CpuScene;
-use interreflect_estimators::stage::{Placed, Stage};
-use interreflect_estimators::{Changed, Inputs, Quantity};
+use interreflect_estimators::{Changed, Quantity};
 use interreflect_gpu::{GpuContext, GpuError, capture_cube, capture_light_views};
 use interreflect_scene::conventions::CUBE_FACES;
 use interreflect_scene::{CubeSpec, Needs, Point, Points};
@@ -32,14 +31,14 @@ fn capture_passes(
     subject: &Subject,
     needs: &Needs,
 ) -> Result<Vec<&'static str>, Failed> {
-    let stage = gpu_stage(context, subject)?;
+    let loaded = gpu_scene(context, subject)?;
     let origin = subject.cpu.scene().reference_point;
     let (passes, _) = context.record("capture", |cx| {
         for spec in &needs.cubes {
-            capture_cube(cx, &stage.scene, origin, *spec, None)?;
+            capture_cube(cx, &loaded.scene, origin, *spec, None)?;
         }
         for spec in &needs.light_views {
-            capture_light_views(cx, &stage.scene, *spec)?;
+            capture_light_views(cx, &loaded.scene, *spec)?;
         }
         Ok::<_, GpuError>(cx.passes().to_vec())
     })?;
@@ -53,27 +52,18 @@ fn method_passes(
     variant: &Variant,
     points: &Points,
 ) -> Result<Vec<&'static str>, Failed> {
-    let stage = gpu_stage(context, subject)?;
-    let (scene, quantity) = (subject.cpu.scene(), variant.quantity);
-    let facts = scene.facts();
-    let needs = variant.method.needs(quantity, &facts)?;
-    let captures = captures(&stage, subject, variant)?;
-    let mut session = stage.open(&*variant.method)?;
-    let Placed {
-        points: placed,
-        mut out,
-    } = stage.place(points)?;
-    let origin = (facts, scene.reference_point);
-    let inputs = Inputs::new(&needs, &captures, &placed, points, origin, Changed::ALL);
+    let loaded = gpu_scene(context, subject)?;
+    let mut executor = variant.executor(&loaded, points)?;
     let mut passes = Vec::new();
-    stage.timed("prepare", &mut |cx| {
-        session.prepare(cx, quantity, &inputs, &out)?;
-        passes.extend_from_slice(cx.passes());
+    executor.phase("prepare", Changed::ALL, |session, frame| {
+        session.prepare(frame)?;
+        passes.extend_from_slice(frame.cx.passes());
         Ok(())
     })?;
-    stage.timed("shade", &mut |cx| {
-        session.shade(cx, quantity, &inputs, &mut out)?;
-        passes.extend_from_slice(cx.passes());
+    executor.phase("shade", Changed::NOTHING, |session, frame| {
+        let prepared = session.prepared();
+        prepared.map_or(Ok(()), |prepared| prepared.shade(frame))?;
+        passes.extend_from_slice(frame.cx.passes());
         Ok(())
     })?;
     Ok(passes)

@@ -6,15 +6,16 @@ mod pyramid;
 mod switches;
 
 use crate::subjects::SUBJECTS;
-use crate::world::{Outcome, Variant, cpu_stage, estimate, gpu_stage, on_gpu};
+use crate::world::{Outcome, Variant, cpu_scene, estimate, gpu_scene, on_gpu};
 use glam::{DVec3, Vec3};
-use interreflect_estimators::stage::{CpuStage, GpuStage, Stage};
+use interreflect_estimators::execution::{BackendScene, CpuLoadedScene, GpuLoadedScene};
 use interreflect_estimators::{Captures, Quantity, Registry};
 use interreflect_gpu::GpuCube;
 use interreflect_scene::conventions::{CUBE_FACES, cube_vector, texel_centre, texel_index};
 use interreflect_scene::{CubeImage, CubeSpec, Estimate, Point, Points, SurfaceMaterial};
 use libtest_mimic::{Failed, Trial};
 use std::f64::consts::TAU;
+use std::rc::Rc;
 
 type Check<S> = fn(&S) -> Outcome;
 
@@ -25,11 +26,11 @@ pub(crate) fn trials() -> Vec<Trial> {
             let name = concat!("environment_maps/", stringify!($check));
             trials.push(Trial::test(format!("{name}/cpu"), || {
                 let check: Check<_> = $module::$check;
-                check(&cpu_stage(&SUBJECTS[4]))
+                check(&cpu_scene(&SUBJECTS[4]))
             }));
             trials.push(on_gpu(format!("{name}/gpu"), |context| {
                 let check: Check<_> = $module::$check;
-                check(&gpu_stage(context, &SUBJECTS[4])?)
+                check(&gpu_scene(context, &SUBJECTS[4])?)
             }));
         };
     }
@@ -49,11 +50,11 @@ pub(crate) fn trials() -> Vec<Trial> {
 }
 
 /// A backend that can be fed a captured cube.
-trait Feed: Stage {
+trait Feed: BackendScene {
     fn feed(&self, image: &CubeImage) -> Result<Captures<Self::Backend>, Failed>;
 }
 
-impl Feed for CpuStage<'_> {
+impl Feed for CpuLoadedScene {
     fn feed(&self, image: &CubeImage) -> Result<Captures<Self::Backend>, Failed> {
         let mut captures = Captures::default();
         captures.cubes.insert(image.spec(), image.clone());
@@ -61,7 +62,7 @@ impl Feed for CpuStage<'_> {
     }
 }
 
-impl Feed for GpuStage<'_> {
+impl Feed for GpuLoadedScene {
     fn feed(&self, image: &CubeImage) -> Result<Captures<Self::Backend>, Failed> {
         let mut captures = Captures::default();
         let cube = GpuCube::upload(&self.context, image)?;
@@ -129,7 +130,7 @@ fn mirrors(directions: impl IntoIterator<Item = DVec3>) -> Vec<Point> {
 
 /// What a method estimates at points under an environment.
 fn under<S: Feed>(
-    stage: &S,
+    loaded: &S,
     image: &CubeImage,
     (method, settings): (&str, &[(&str, &str)]),
     quantity: Quantity,
@@ -142,12 +143,12 @@ fn under<S: Feed>(
     }
     let points = Points::new(quantity.layout(), points.iter().copied().map(Some));
     let variant = Variant { method, quantity };
-    estimate(stage, &SUBJECTS[4], &variant, &stage.feed(image)?, &points)
+    estimate(loaded, &variant, &Rc::new(loaded.feed(image)?), &points)
 }
 
 /// The filtered radiance of the mip pyramid along directions.
 fn filtered<S: Feed>(
-    stage: &S,
+    loaded: &S,
     image: &CubeImage,
     settings: &[(&str, &str)],
     directions: impl IntoIterator<Item = DVec3>,
@@ -155,6 +156,6 @@ fn filtered<S: Feed>(
     let settings = [&[("f_lambda", "1")], settings].concat();
     let method = ("sh_mip_envmap", &*settings);
     let quantity = Quantity::GlossyRadiance;
-    let estimate = under(stage, image, method, quantity, &mirrors(directions))?;
+    let estimate = under(loaded, image, method, quantity, &mirrors(directions))?;
     Ok(estimate.iter().collect())
 }

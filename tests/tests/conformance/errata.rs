@@ -7,7 +7,7 @@ use crate::world::{Outcome, Variant, configured, on_both, run};
 use glam::Vec3;
 use interreflect_conformance::tolerance::Tolerance;
 use interreflect_estimators::Quantity;
-use interreflect_estimators::stage::Stage;
+use interreflect_estimators::execution::BackendScene;
 use interreflect_scene::conventions::{
     CUBE_FACES, cube_vector, texel_centre, texel_solid_angle_sr,
 };
@@ -52,21 +52,21 @@ fn localized(quantity: Quantity, settings: &[(&str, &str)]) -> Result<Variant, F
     configured("localized_cubemap", quantity, settings)
 }
 
-fn shaded<S: Stage>(
-    stage: &S,
+fn shaded<S: BackendScene>(
+    loaded: &S,
     subject: &Subject,
     quantity: Quantity,
     settings: &[(&str, &str)],
 ) -> Result<Estimate, Failed> {
     let points = subject.points(quantity.layout());
-    run(stage, subject, &localized(quantity, settings)?, &points)
+    run(loaded, &localized(quantity, settings)?, &points)
 }
 
-fn solid_angle_is_of_published_alone<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
+fn solid_angle_is_of_published_alone<S: BackendScene>(loaded: &S, subject: &Subject) -> Outcome {
     for quantity in [Quantity::Irradiance, Quantity::GlossyRadiance] {
         let shaded = |fidelity, solid_angle| {
             let settings = [("fidelity", fidelity), ("solid_angle", solid_angle)];
-            shaded(stage, subject, quantity, &settings)
+            shaded(loaded, subject, quantity, &settings)
         };
         ensure!(
             shaded("corrected", "text")? == shaded("corrected", "shader")?,
@@ -87,7 +87,10 @@ fn solid_angle_is_of_published_alone<S: Stage>(stage: &S, subject: &Subject) -> 
 }
 
 /// Without a lobe the published radiance is k_d·E, the corrected one k_d/π·E.
-fn diffuse_lacks_one_over_pi_in_published<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
+fn diffuse_lacks_one_over_pi_in_published<S: BackendScene>(
+    loaded: &S,
+    subject: &Subject,
+) -> Outcome {
     let matte = |p: Point| {
         let mut p = p;
         p.material.specular = Vec3::ZERO;
@@ -98,7 +101,7 @@ fn diffuse_lacks_one_over_pi_in_published<S: Stage>(stage: &S, subject: &Subject
     let points = Points::new(points.layout(), points.iter().map(|p| p.and_then(matte)));
     for (fidelity, factor) in [("published", 1.0), ("corrected", 1.0 / PI)] {
         let settings = [("fidelity", fidelity)];
-        let run = |quantity| run(stage, subject, &localized(quantity, &settings)?, &points);
+        let run = |quantity| run(loaded, &localized(quantity, &settings)?, &points);
         let (e, l) = (run(Quantity::Irradiance)?, run(Quantity::GlossyRadiance)?);
         let rounding = Tolerance {
             absolute: 1e-7,
@@ -119,7 +122,10 @@ fn diffuse_lacks_one_over_pi_in_published<S: Stage>(stage: &S, subject: &Subject
 }
 
 /// At x = o both solid angles are those from o: Δω' in published, the exact Δω in corrected.
-fn fidelities_meet_at_the_reference_point<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
+fn fidelities_meet_at_the_reference_point<S: BackendScene>(
+    loaded: &S,
+    subject: &Subject,
+) -> Outcome {
     let points = subject.points(Quantity::Irradiance.layout());
     for m in [1, 2, 4, 8] {
         let resolution = m.to_string();
@@ -133,7 +139,7 @@ fn fidelities_meet_at_the_reference_point<S: Stage>(stage: &S, subject: &Subject
                 ("solid_angle", solid_angle),
                 ("resolution", &resolution),
             ];
-            let estimate = shaded(stage, subject, Quantity::Irradiance, &settings)?;
+            let estimate = shaded(loaded, subject, Quantity::Irradiance, &settings)?;
             let omega = |column, row, l: f64| match (fidelity, solid_angle) {
                 ("corrected", _) => texel_solid_angle_sr(m, column, row),
                 (_, "text") => 4.0 / (f64::from(m * m) * l.powi(3) + 4.0 / PI),
@@ -171,7 +177,7 @@ fn at_origin(m: u32, normal: Vec3, omega: impl Fn(u32, u32, f64) -> f64) -> f64 
 /// At the middle of a room of radiance 1 the irradiance is π, and the sum over texels misses it by
 /// how badly one sample stands for the cosine over a texel: averages from a table miss it by less at
 /// M = 1 and 2: what is left is the difference between a texel and a cap. As M grows the two agree.
-fn tables_average_the_reflectivity<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
+fn tables_average_the_reflectivity<S: BackendScene>(loaded: &S, subject: &Subject) -> Outcome {
     let points = subject.points(Quantity::Irradiance.layout());
     let errors = |m: &str, reflectivity: &str| -> Result<Vec<f64>, Failed> {
         let settings = [
@@ -179,7 +185,7 @@ fn tables_average_the_reflectivity<S: Stage>(stage: &S, subject: &Subject) -> Ou
             ("resolution", m),
             ("reflectivity", reflectivity),
         ];
-        let estimate = shaded(stage, subject, Quantity::Irradiance, &settings)?;
+        let estimate = shaded(loaded, subject, Quantity::Irradiance, &settings)?;
         let shaded = points.iter().zip(estimate.iter());
         let of_pi = shaded.filter_map(|(p, e)| p.map(|_| f64::from(e.y) / PI - 1.0));
         Ok(of_pi.collect())

@@ -2,7 +2,7 @@
 
 use crate::ensure;
 use crate::world::{CPU, Outcome, Variant, ignored, on_gpu, variants};
-use interreflect_conformance::verify::{Extreme, Rig, Subject, Verdict, extremes};
+use interreflect_conformance::verify::{Extreme, MethodUnderTest, TestBackend, Verdict, extremes};
 use libtest_mimic::Trial;
 
 pub(crate) fn trials() -> Vec<Trial> {
@@ -11,22 +11,22 @@ pub(crate) fn trials() -> Vec<Trial> {
         let name = format!("extremes/{}", variant.name());
         let one = variant.copy();
         trials.push(Trial::test(format!("{name}/cpu"), move || {
-            survives(Rig::Cpu(&CPU), &one)
+            survives(TestBackend::Cpu(&CPU), &one)
         }));
         let name = format!("{name}/gpu");
         trials.push(match variant.gpu() {
             Err(why) => ignored(name, why),
             Ok(()) => on_gpu(name, move |context| {
-                survives(Rig::Gpu(&CPU, context), &variant)
+                survives(TestBackend::Gpu(&CPU, context), &variant)
             }),
         });
     }
     trials
 }
 
-fn survives(rig: Rig<'_>, variant: &Variant) -> Outcome {
-    let found = extremes(&Subject {
-        rig,
+fn survives(backend: TestBackend<'_>, variant: &Variant) -> Outcome {
+    let found = extremes(&MethodUnderTest {
+        backend,
         method: &*variant.method,
         quantity: variant.quantity,
         cases: 1,

@@ -5,7 +5,7 @@ use crate::subjects::{ROOM_ORIGIN, ROOM_RADIANCES, SUBJECTS, Subject, box_with, 
 use crate::world::{Outcome, configured, on_both, run};
 use glam::{DVec3, Vec3};
 use interreflect_estimators::Quantity;
-use interreflect_estimators::stage::Stage;
+use interreflect_estimators::execution::BackendScene;
 use interreflect_scene::conventions::{cube_vector, texel_centre};
 use interreflect_scene::{Estimate, Point, PointLayout, Points, SceneRequest, open};
 use libtest_mimic::{Failed, Trial};
@@ -47,15 +47,14 @@ static DIVIDED: LazyLock<Subject> = LazyLock::new(|| {
     Subject::new("divided-room", &scene, inside(300))
 });
 
-fn irradiance<S: Stage>(
-    stage: &S,
-    subject: &Subject,
+fn irradiance<S: BackendScene>(
+    loaded: &S,
     id: &str,
     settings: &[(&str, &str)],
     points: &Points,
 ) -> Result<Estimate, Failed> {
     let variant = configured(id, Quantity::Irradiance, settings)?;
-    run(stage, subject, &variant, points)
+    run(loaded, &variant, points)
 }
 
 /// Values at the points that have a surface.
@@ -69,7 +68,7 @@ fn values(points: &Points, estimate: &Estimate) -> Vec<f64> {
 /// Inside a closed mesh of radiance 1 the irradiance is π. What is left of it is where a texel's
 /// quadrilateral cuts off an edge of the box: half a percent at M = 8, and 2 % where mean distances
 /// round the edges off.
-fn polygons_close_a_furnace<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
+fn polygons_close_a_furnace<S: BackendScene>(loaded: &S, subject: &Subject) -> Outcome {
     let points = subject.points(PointLayout::Surface);
     for (corners, facing) in [
         ("exact", "clamped"),
@@ -82,7 +81,7 @@ fn polygons_close_a_furnace<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
             ("corners", corners),
             ("facing", facing),
         ];
-        let estimate = irradiance(stage, subject, "polygon_form_factor", &settings, &points)?;
+        let estimate = irradiance(loaded, "polygon_form_factor", &settings, &points)?;
         let bound = if corners == "exact" { 0.005 } else { 0.02 };
         for (i, e) in values(&points, &estimate).into_iter().enumerate() {
             ensure!(
@@ -95,10 +94,10 @@ fn polygons_close_a_furnace<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
 }
 
 /// The reused angle and the missing clip: some points get a tenth more or less than π.
-fn published_polygons_do_not_close_it<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
+fn published_polygons_do_not_close_it<S: BackendScene>(loaded: &S, subject: &Subject) -> Outcome {
     let points = subject.points(PointLayout::Surface);
     let settings = [("fidelity", "published"), ("resolution", "8")];
-    let estimate = irradiance(stage, subject, "polygon_form_factor", &settings, &points)?;
+    let estimate = irradiance(loaded, "polygon_form_factor", &settings, &points)?;
     let worst = values(&points, &estimate)
         .into_iter()
         .map(|e| (e / PI - 1.0).abs())
@@ -143,9 +142,9 @@ fn peak(points: &Points, estimate: &Estimate) -> (f64, f64) {
 /// Near a texel's centre a point light is singular: there it exceeds the mean of the scan by two
 /// orders of magnitude or more. `clamp` bounds it: each of 96 texels counts so much solid angle at
 /// most, and the walls' radiance is 1 at most.
-fn point_lights_spike_along_a_wall<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
+fn point_lights_spike_along_a_wall<S: BackendScene>(loaded: &S, _: &Subject) -> Outcome {
     let points = scan();
-    let estimate = irradiance(stage, subject, "point_form_factor", &[], &points)?;
+    let estimate = irradiance(loaded, "point_form_factor", &[], &points)?;
     let (free, mean) = peak(&points, &estimate);
     ensure!(
         free > 100.0 * mean,
@@ -153,7 +152,7 @@ fn point_lights_spike_along_a_wall<S: Stage>(stage: &S, subject: &Subject) -> Ou
     );
     for clamp in ["0.1", "1"] {
         let settings = [("clamp", clamp)];
-        let estimate = irradiance(stage, subject, "point_form_factor", &settings, &points)?;
+        let estimate = irradiance(loaded, "point_form_factor", &settings, &points)?;
         let (clamped, _) = peak(&points, &estimate);
         let bound = 96.0 * clamp.parse::<f64>()?;
         ensure!(clamped <= bound, "clamp {clamp} leaves {clamped:.2}");
@@ -166,10 +165,10 @@ fn point_lights_spike_along_a_wall<S: Stage>(stage: &S, subject: &Subject) -> Ou
 }
 
 /// The same scan with polygons: nowhere more than what the brightest wall could give.
-fn polygons_do_not_spike_along_a_wall<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
+fn polygons_do_not_spike_along_a_wall<S: BackendScene>(loaded: &S, _: &Subject) -> Outcome {
     let points = scan();
     let settings = [("fidelity", "corrected")];
-    let estimate = irradiance(stage, subject, "polygon_form_factor", &settings, &points)?;
+    let estimate = irradiance(loaded, "polygon_form_factor", &settings, &points)?;
     let (highest, _) = peak(&points, &estimate);
     let brightest = PI * f64::from(ROOM_RADIANCES[0]);
     // Quadrilaterals that cut the box's edges off may overlap a little.
@@ -178,11 +177,13 @@ fn polygons_do_not_spike_along_a_wall<S: Stage>(stage: &S, subject: &Subject) ->
 }
 
 /// Each switch of `polygon_form_factor` changes the fidelity that it belongs to.
-fn switches_of_polygons_change_what_they_should<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
+fn switches_of_polygons_change_what_they_should<S: BackendScene>(
+    loaded: &S,
+    subject: &Subject,
+) -> Outcome {
     let points = subject.points(PointLayout::Surface);
-    let with = |settings: &[(&str, &str)]| {
-        irradiance(stage, subject, "polygon_form_factor", settings, &points)
-    };
+    let with =
+        |settings: &[(&str, &str)]| irradiance(loaded, "polygon_form_factor", settings, &points);
     let published = with(&[])?;
     let corrected = with(&[("fidelity", "corrected")])?;
     ensure!(published != corrected, "the fidelities are the same");
@@ -222,11 +223,14 @@ fn switches_of_polygons_change_what_they_should<S: Stage>(stage: &S, subject: &S
 /// Where nothing has a place, quadrilaterals are texels of a map at infinity. What parts the two:
 /// radiance averaged over 16² texels a face against 32², each wrong by its share of the slope where
 /// the horizon cuts it (1/16 rad · 2/3 · 1/16 ≈ 3e-3), and a bilinear lookup between 32 cells, 1e-3.
-fn polygons_at_infinity_are_classic_mapping<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
+fn polygons_at_infinity_are_classic_mapping<S: BackendScene>(
+    loaded: &S,
+    subject: &Subject,
+) -> Outcome {
     let points = subject.points(PointLayout::Surface);
     let settings = [("fidelity", "corrected"), ("resolution", "16")];
-    let polygons = irradiance(stage, subject, "polygon_form_factor", &settings, &points)?;
-    let classic = irradiance(stage, subject, "classic_envmap", &[], &points)?;
+    let polygons = irradiance(loaded, "polygon_form_factor", &settings, &points)?;
+    let classic = irradiance(loaded, "classic_envmap", &[], &points)?;
     let pairs = values(&points, &polygons)
         .into_iter()
         .zip(values(&points, &classic));

@@ -2,12 +2,12 @@
 
 use crate::ensure;
 use crate::subjects::{SUBJECTS, Subject, same_bits};
-use crate::world::{Outcome, configured, cpu_stage, gpu_stage, on_gpu, run};
+use crate::world::{Outcome, configured, cpu_scene, gpu_scene, on_gpu, run};
 use glam::Vec3;
 use interreflect::frames::{Frame, Frames};
 use interreflect_cpu::scene::CpuScene;
 use interreflect_estimators::Quantity;
-use interreflect_estimators::stage::Stage;
+use interreflect_estimators::execution::BackendScene;
 use interreflect_scene::motion::{LightMotion, Pose, Track};
 use interreflect_scene::{Motion, Point, Points, Scene};
 use libtest_mimic::{Failed, Trial};
@@ -52,10 +52,10 @@ pub(crate) fn trials() -> Vec<Trial> {
     let of = |moving: Moving| {
         let name = format!("frames/{}", moving.0);
         let on_cpu = Trial::test(format!("{name}/cpu"), move || {
-            follows(moving, |subject| Ok(cpu_stage(subject)))
+            follows(moving, |subject| Ok(cpu_scene(subject)))
         });
         let on_device = on_gpu(format!("{name}/gpu"), move |context| {
-            follows(moving, |subject| gpu_stage(context, subject))
+            follows(moving, |subject| gpu_scene(context, subject))
         });
         [on_cpu, on_device]
     };
@@ -63,9 +63,9 @@ pub(crate) fn trials() -> Vec<Trial> {
 }
 
 /// Each frame, the one in which time stands still too, is what a session of its own gives.
-fn follows<S: Stage>(
+fn follows<S: BackendScene>(
     (what, subject, set_in_motion): Moving,
-    stage: impl Fn(&Subject) -> Result<S, Failed>,
+    loaded: impl Fn(&Subject) -> Result<S, Failed>,
 ) -> Outcome {
     let subject = &SUBJECTS[subject];
     let mut scene = subject.cpu.scene().clone();
@@ -77,7 +77,7 @@ fn follows<S: Stage>(
     let mut reversed: Vec<Option<Point>> = points.iter().collect();
     reversed.reverse();
     let reversed = Points::new(points.layout(), reversed);
-    let mut frames = None;
+    let mut frames = Frames::<S::Backend>::default();
     let mut shown = Vec::new();
     for time_s in [0.0, 0.5, 0.5, 1.0] {
         let scene_then = scene.at(time_s);
@@ -86,19 +86,15 @@ fn follows<S: Stage>(
             true => &reversed,
             false => &points,
         };
-        let stage = stage(&then)?;
+        let loaded = loaded(&then)?;
         let frame = Frame {
             scene: &scene_then,
             moves: scene.moves(),
             points,
-            seen: None,
+            visible: None,
         };
-        let frames = match &mut frames {
-            Some(frames) => frames,
-            none => none.insert(Frames::new(&stage, method)?),
-        };
-        let living = frames.next(&stage, method, quantity, &frame)?.estimate;
-        let fresh = run(&stage, &then, &variant, points)?;
+        let living = frames.next(&loaded, method, quantity, &frame)?.estimate;
+        let fresh = run(&loaded, &variant, points)?;
         same_bits(&fresh, living.iter()).map_err(|e| format!("at {time_s} s: {e}"))?;
         shown.push(living);
     }

@@ -3,15 +3,15 @@
 use crate::ensure;
 use crate::subjects::{SUBJECTS, Subject, same_bits};
 use crate::world::{
-    Outcome, Variant, captures, cpu_stage, estimate, gpu_stage, ignored, on_gpu, run, variants,
+    Outcome, Variant, captures, cpu_scene, estimate, gpu_scene, ignored, on_gpu, run, variants,
 };
 use glam::Vec3;
 use interreflect::clock::Sampling;
 use interreflect::measure::measure;
 use interreflect_cpu::scene::CpuScene;
-use interreflect_estimators::stage::{Placed, Stage};
-use interreflect_estimators::{Backend, Changed, Inputs, Quantity, Session};
-use interreflect_scene::{Estimate, Points, Role, Scene};
+use interreflect_estimators::execution::{BackendScene, Executor};
+use interreflect_estimators::{Changed, Quantity};
+use interreflect_scene::{Points, Role, Scene};
 use libtest_mimic::{Failed, Trial};
 use std::sync::Arc;
 
@@ -29,18 +29,18 @@ pub(crate) fn trials() -> Vec<Trial> {
         }
         trials.push(Trial::test(format!("{name}/cpu"), move || {
             let subject = &SUBJECTS[0];
-            points_move(&cpu_stage(subject), subject, &one)?;
-            captures_change(&one, |s| Ok(cpu_stage(s)))?;
-            kept_or_not(&one, |s| Ok(cpu_stage(s)))?;
-            shared(&one, |s| Ok(cpu_stage(s)))
+            points_move(&cpu_scene(subject), subject, &one)?;
+            captures_change(&one, |s| Ok(cpu_scene(s)))?;
+            kept_or_not(&one, |s| Ok(cpu_scene(s)))?;
+            shared(&one, |s| Ok(cpu_scene(s)))
         }));
         if variant.unsupported_on_gpu(&SUBJECTS[0]).is_none() {
             trials.push(on_gpu(format!("{name}/gpu"), move |context| {
                 let subject = &SUBJECTS[0];
-                points_move(&gpu_stage(context, subject)?, subject, &variant)?;
-                captures_change(&variant, |s| gpu_stage(context, s))?;
-                kept_or_not(&variant, |s| gpu_stage(context, s))?;
-                shared(&variant, |s| gpu_stage(context, s))
+                points_move(&gpu_scene(context, subject)?, subject, &variant)?;
+                captures_change(&variant, |s| gpu_scene(context, s))?;
+                kept_or_not(&variant, |s| gpu_scene(context, s))?;
+                shared(&variant, |s| gpu_scene(context, s))
             }));
         }
     }
@@ -55,9 +55,8 @@ fn changed(subject: &Subject, change: impl FnOnce(&mut Scene)) -> Result<Subject
 }
 
 /// A session prepared once, whose points then move, gives what a fresh one gives.
-fn points_move<S: Stage>(stage: &S, subject: &Subject, variant: &Variant) -> Outcome {
-    let (scene, quantity) = (subject.cpu.scene(), variant.quantity);
-    let before = subject.points(quantity.layout());
+fn points_move<S: BackendScene>(loaded: &S, subject: &Subject, variant: &Variant) -> Outcome {
+    let before = subject.points(variant.quantity.layout());
     let after = before.iter().skip(3).map(|point| {
         point.map(|mut p| {
             p.position += Vec3::new(0.1, 0.05, -0.1);
@@ -66,47 +65,23 @@ fn points_move<S: Stage>(stage: &S, subject: &Subject, variant: &Variant) -> Out
         })
     });
     let after = Points::new(before.layout(), after);
-    let captures = captures(stage, subject, variant)?;
-    let fresh = estimate(stage, subject, variant, &captures, &after)?;
-    let needs = variant.method.needs(quantity, &scene.facts())?;
-    let mut session = stage.open(&*variant.method)?;
-    let origin = (scene.facts(), scene.capture_origin(needs.keep_within_m));
-    let mut last = None;
-    for (points, changed) in [(&before, Changed::ALL), (&after, Changed::POINTS)] {
-        let mut placed = stage.place(points)?;
-        let inputs = Inputs::new(&needs, &captures, &placed.points, points, origin, changed);
-        last = Some(frame(
-            stage,
-            &mut *session,
-            quantity,
-            &inputs,
-            &mut placed.out,
-        )?);
-    }
-    let moved = last.ok_or("nothing was shaded")?;
+    let captures = captures(loaded, variant)?;
+    let fresh = estimate(loaded, variant, &captures, &after)?;
+    let mut executor = variant.executor(loaded, &before)?;
+    executor.set_captures(captures);
+    executor.estimate()?;
+    executor.place(&after)?;
+    executor.prepare(Changed::POINTS)?;
+    executor.shade()?;
+    let moved = executor.read_back()?.0;
     Ok(same_bits(&fresh, moved.iter()).map_err(|e| format!("moved points: {e}"))?)
-}
-
-/// A session's next frame.
-fn frame<S: Stage>(
-    stage: &S,
-    session: &mut dyn Session<S::Backend>,
-    quantity: Quantity,
-    inputs: &Inputs<'_, S::Backend>,
-    out: &mut <S::Backend as Backend>::Out,
-) -> Result<Estimate, Failed> {
-    stage.timed("prepare", &mut |cx| {
-        session.prepare(cx, quantity, inputs, out)
-    })?;
-    stage.timed("shade", &mut |cx| session.shade(cx, quantity, inputs, out))?;
-    Ok(stage.read_back(out)?.0)
 }
 
 /// A session prepared once, whose scene then changes around the same points, gives what a fresh one
 /// gives.
-fn captures_change<S: Stage>(
+fn captures_change<S: BackendScene>(
     variant: &Variant,
-    stage: impl Fn(&Subject) -> Result<S, Failed>,
+    loaded: impl Fn(&Subject) -> Result<S, Failed>,
 ) -> Outcome {
     // In the closed room nothing is open, whatever stands in it.
     let after: &Subject = match variant.quantity {
@@ -121,32 +96,25 @@ fn captures_change<S: Stage>(
         }
     })?;
     let points = after.points(variant.quantity.layout());
-    let mut session = stage(after)?.open(&*variant.method)?;
-    let Placed {
-        points: placed,
-        mut out,
-    } = stage(after)?.place(&points)?;
-    let mut shade = |subject: &Subject, changed| {
-        let (stage, scene) = (stage(subject)?, subject.cpu.scene());
-        let facts = scene.facts();
-        let needs = variant.method.needs(variant.quantity, &facts)?;
-        let captures = captures(&stage, subject, variant)?;
-        let origin = (facts, scene.capture_origin(needs.keep_within_m));
-        let inputs = Inputs::new(&needs, &captures, &placed, &points, origin, changed);
-        frame(&stage, &mut *session, variant.quantity, &inputs, &mut out)
-    };
-    let first = shade(&before, Changed::ALL)?;
-    let then = shade(after, Changed::SCENE)?;
+    let (scene_before, scene_after) = (loaded(&before)?, loaded(after)?);
+    let mut executor = variant.executor(&scene_before, &points)?;
+    let first = executor.estimate()?;
+    let session = executor.suspend().without_captures();
+    let (method, quantity) = (&*variant.method, variant.quantity);
+    let mut executor = Executor::resume(&scene_after, method, quantity, &points, session)?;
+    executor.prepare(Changed::SCENE)?;
+    executor.shade()?;
+    let then = executor.read_back()?.0;
     ensure!(first != then, "the change does not show");
-    let fresh = run(&stage(after)?, after, variant, &points)?;
+    let fresh = run(&loaded(after)?, variant, &points)?;
     Ok(same_bits(&fresh, then.iter()).map_err(|e| format!("captures changed: {e}"))?)
 }
 
 /// Within the distance the captures of before are used, and none are paid for; beyond it fresh ones
 /// are. Methods that keep nothing always have fresh ones.
-fn kept_or_not<S: Stage>(
+fn kept_or_not<S: BackendScene>(
     variant: &Variant,
-    stage: impl Fn(&Subject) -> Result<S, Failed>,
+    loaded: impl Fn(&Subject) -> Result<S, Failed>,
 ) -> Outcome {
     let subject = &SUBJECTS[0];
     let here = subject.cpu.scene().reference_point;
@@ -165,29 +133,24 @@ fn kept_or_not<S: Stage>(
             .method
             .needs(variant.quantity, &moved.cpu.scene().facts())?;
         let (method, quantity) = (&*variant.method, variant.quantity);
-        let scene = moved.cpu.scene();
-        let measured = measure(
-            &stage(&moved)?,
-            scene,
-            method,
-            quantity,
-            &points,
-            &Sampling::ONCE,
-        )?;
+        let measured = measure(&loaded(&moved)?, method, quantity, &points, &Sampling::ONCE)?;
         let timed = measured.phases.capture.is_some();
         ensure!(
             timed != (kept || needs.no_captures()),
             "kept: {kept}, and a capture is timed: {timed}"
         );
         let like = if kept { &at_home } else { subject };
-        let expected = run(&stage(like)?, like, variant, &points)?;
+        let expected = run(&loaded(like)?, variant, &points)?;
         same_bits(&expected, measured.estimate.iter()).map_err(|e| format!("kept {kept}: {e}"))?;
     }
     Ok(())
 }
 
 /// Three receivers share the captures: each point has what it has with one receiver.
-fn shared<S: Stage>(variant: &Variant, stage: impl Fn(&Subject) -> Result<S, Failed>) -> Outcome {
+fn shared<S: BackendScene>(
+    variant: &Variant,
+    loaded: impl Fn(&Subject) -> Result<S, Failed>,
+) -> Outcome {
     let three = Subject::library(
         "colored-room",
         &[("receivers", "3"), ("receiver.size", "0.4")],
@@ -202,12 +165,12 @@ fn shared<S: Stage>(variant: &Variant, stage: impl Fn(&Subject) -> Result<S, Fai
     let needs = variant
         .method
         .needs(variant.quantity, &three.cpu.scene().facts())?;
-    let together = run(&stage(&three)?, &three, variant, &points)?;
+    let together = run(&loaded(&three)?, variant, &points)?;
     ensure!(together.iter().all(Vec3::is_finite), "not finite");
     // Light transport sees the other receivers.
     if needs.light_transport {
         return Ok(());
     }
-    let alone = run(&stage(&one)?, &one, variant, &points)?;
+    let alone = run(&loaded(&one)?, variant, &points)?;
     Ok(same_bits(&alone, together.iter())?)
 }

@@ -2,12 +2,12 @@
 
 use crate::ensure;
 use crate::subjects::{Subject, room};
-use crate::world::{Outcome, configured, cpu_stage, gpu_stage, on_both, on_gpu, run};
+use crate::world::{Outcome, configured, cpu_scene, gpu_scene, on_both, on_gpu, run};
 use glam::{Quat, Vec3};
 use interreflect_conformance::oracles::form_factors as exact;
 use interreflect_estimators::Quantity;
 use interreflect_estimators::directional_ao::DIRECTIONS;
-use interreflect_estimators::stage::Stage;
+use interreflect_estimators::execution::BackendScene;
 use interreflect_scene::{Mesh, Object, Point, PointLayout, Points, Role, shapes};
 use libtest_mimic::{Failed, Trial};
 use std::sync::LazyLock;
@@ -19,10 +19,10 @@ pub(crate) fn trials() -> Vec<Trial> {
         on_both(&name("biases"), || &*PLANE, biases, biases),
         [
             Trial::test(name("closed_forms/cpu"), || {
-                closed_forms(|s| Ok(cpu_stage(s)))
+                closed_forms(|s| Ok(cpu_scene(s)))
             }),
             on_gpu(name("closed_forms/gpu"), |context| {
-                closed_forms(|s| gpu_stage(context, s))
+                closed_forms(|s| gpu_scene(context, s))
             }),
         ],
     ]
@@ -80,14 +80,14 @@ static PLANE: LazyLock<Subject> = LazyLock::new(|| {
     scene_of(vec![mesh], grid.collect())
 });
 
-fn openness<S: Stage>(
-    stage: &S,
+fn openness<S: BackendScene>(
+    loaded: &S,
     subject: &Subject,
     settings: &[(&str, &str)],
 ) -> Result<Vec<f64>, Failed> {
     let variant = configured("directional_ao", Quantity::AmbientOcclusion, settings)?;
     let points: Points = subject.points(PointLayout::Surface);
-    let estimate = run(stage, subject, &variant, &points)?;
+    let estimate = run(loaded, &variant, &points)?;
     Ok(estimate.iter().map(|v| f64::from(v.x)).collect())
 }
 
@@ -102,7 +102,7 @@ fn rms_and_max(errors: impl Iterator<Item = f64> + Clone) -> (f64, f64) {
 /// Where nothing occludes, openness is 1 up to how well the directions integrate a cosine: at every
 /// level the rms and largest errors in percent that float64 gives, and a sixth of them in spread
 /// between one set of orientations and another. Only the corrected weights converge.
-fn open_points<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
+fn open_points<S: BackendScene>(loaded: &S, subject: &Subject) -> Outcome {
     let expected = [
         ("published", "2", 1.0, 5.1),
         ("published", "3", 0.76, 2.5),
@@ -113,7 +113,7 @@ fn open_points<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
     ];
     for (fidelity, level, rms_expected, max_expected) in expected {
         let settings = [("fidelity", fidelity), ("level", level)];
-        let values = openness(stage, subject, &settings)?;
+        let values = openness(loaded, subject, &settings)?;
         let (rms, max) = rms_and_max(values.iter().map(|v| 100.0 * (v - 1.0)));
         ensure!(
             (rms / rms_expected - 1.0).abs() < 0.17 && (max / max_expected - 1.0).abs() < 0.17,
@@ -133,10 +133,10 @@ fn open_points<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
 /// On an open plane, relative to what the same directions give where there is none: open with the
 /// slope-scaled bias, nearly so with a texel's width, half without. The last two are shares of
 /// texels whose middle lies behind the point: they vary with the plane's orientation.
-fn biases<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
+fn biases<S: BackendScene>(loaded: &S, subject: &Subject) -> Outcome {
     let mean = |bias| -> Result<f64, Failed> {
-        let values = openness(stage, subject, &[("bias", bias)])?;
-        let open = open_of(stage, subject)?;
+        let values = openness(loaded, subject, &[("bias", bias)])?;
+        let open = open_of(loaded, subject)?;
         Ok(values.iter().zip(&open).map(|(v, o)| v / o).sum::<f64>() / values.len() as f64)
     };
     let [offset, constant, none] = [mean("polygon_offset")?, mean("constant")?, mean("none")?];
@@ -147,7 +147,7 @@ fn biases<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
 }
 
 /// What the points of a subject would have without its surfaces.
-fn open_of<S: Stage>(stage: &S, subject: &Subject) -> Result<Vec<f64>, Failed> {
+fn open_of<S: BackendScene>(loaded: &S, subject: &Subject) -> Result<Vec<f64>, Failed> {
     let variant = configured("directional_ao", Quantity::AmbientOcclusion, &[])?;
     let points = subject.points(PointLayout::Surface);
     // Lifted above everything.
@@ -158,7 +158,7 @@ fn open_of<S: Stage>(stage: &S, subject: &Subject) -> Result<Vec<f64>, Failed> {
         })
     });
     let lifted = Points::new(PointLayout::Surface, lifted);
-    let estimate = run(stage, subject, &variant, &lifted)?;
+    let estimate = run(loaded, &variant, &lifted)?;
     Ok(estimate.iter().map(|v| f64::from(v.x)).collect())
 }
 
@@ -167,7 +167,7 @@ fn open_of<S: Stage>(stage: &S, subject: &Subject) -> Result<Vec<f64>, Failed> {
 /// Cause of the bound: the border between open and occluded cuts about ½√(πk) of the k cells, each of
 /// which counts 4/k at most and is wrong like a number cut evenly, 1/√12 of it; twice that because the
 /// border lies alike in neighbouring cells. What the depth maps' texels shift, one of 512, is far less.
-fn closed_forms<S: Stage>(stage: impl Fn(&Subject) -> Result<S, Failed>) -> Outcome {
+fn closed_forms<S: BackendScene>(loaded: impl Fn(&Subject) -> Result<S, Failed>) -> Outcome {
     let k = f64::from(DIRECTIONS[3]);
     let bound = 2.0 * (4.0 / k) * (0.5 * (std::f64::consts::PI * k).sqrt()).sqrt() / 12f64.sqrt();
     for (name, occluders, point, expected) in configurations() {
@@ -187,7 +187,7 @@ fn closed_forms<S: Stage>(stage: impl Fn(&Subject) -> Result<S, Failed>) -> Outc
             };
             let subject = scene_of(occluders.iter().map(turned).collect(), vec![at]);
             let settings = [("fidelity", "corrected"), ("level", "3")];
-            let found = openness(&stage(&subject)?, &subject, &settings)?;
+            let found = openness(&loaded(&subject)?, &subject, &settings)?;
             errors.push(found[0] - expected);
         }
         let (rms, max) = rms_and_max(errors.iter().copied());

@@ -4,7 +4,7 @@ use crate::ensure;
 use crate::parity_views::views_apart;
 use crate::subjects::{SUBJECTS, Subject};
 use crate::world::{
-    Outcome, Variant, bounced, captures, cpu_stage, estimate, gpu_stage, ignored, on_gpu, switched,
+    Outcome, Variant, bounced, captures, cpu_scene, estimate, gpu_scene, ignored, on_gpu, switched,
     variants,
 };
 use interreflect_conformance::exchange::{downloaded, uploaded};
@@ -14,6 +14,7 @@ use interreflect_gpu::GpuContext;
 use interreflect_scene::conventions::{CUBE_FACES, texel_index, texel_solid_angle_sr};
 use interreflect_scene::{CubeImage, Estimate, LightViewImage};
 use libtest_mimic::{Failed, Trial};
+use std::rc::Rc;
 use std::sync::{Arc, LazyLock};
 
 pub(crate) fn trials() -> Vec<Trial> {
@@ -82,24 +83,25 @@ fn float32(texels: usize, largest: f64) -> Tolerance {
 }
 
 fn parity(context: &Arc<GpuContext>, subject: &'static Subject, variant: &Variant) -> Outcome {
-    let (cpu, gpu) = (cpu_stage(subject), gpu_stage(context, subject)?);
+    let (cpu, gpu) = (cpu_scene(subject), gpu_scene(context, subject)?);
     let points = subject.points(variant.quantity.layout());
-    let by_cpu = captures(&cpu, subject, variant)?;
-    let by_gpu = captures(&gpu, subject, variant)?;
+    let by_cpu = captures(&cpu, variant)?;
+    let by_gpu = captures(&gpu, variant)?;
     let mut on_device = uploaded(context, &by_cpu)?;
     let mut on_host = downloaded(context, &by_gpu)?;
     // Depth maps are made while they are read, each backend's by itself: there is nothing to swap.
     on_device.depths.clone_from(&by_gpu.depths);
     on_host.depths.clone_from(&by_cpu.depths);
+    let (on_device, on_host) = (Rc::new(on_device), Rc::new(on_host));
     let silhouettes = !by_cpu.depths.is_empty();
 
-    let on_cpu = estimate(&cpu, subject, variant, &by_cpu, &points)?;
-    let on_gpu = estimate(&gpu, subject, variant, &by_gpu, &points)?;
+    let on_cpu = estimate(&cpu, variant, &by_cpu, &points)?;
+    let on_gpu = estimate(&gpu, variant, &by_gpu, &points)?;
     let same = float32(texels(&by_cpu), largest(&on_cpu));
-    let of_cpu_captures = estimate(&gpu, subject, variant, &on_device, &points)?;
+    let of_cpu_captures = estimate(&gpu, variant, &on_device, &points)?;
     let check = if silhouettes { check_most } else { check };
     check(&same, &on_cpu, &of_cpu_captures).map_err(|e| format!("on the CPU's captures: {e}"))?;
-    let of_gpu_captures = estimate(&cpu, subject, variant, &on_host, &points)?;
+    let of_gpu_captures = estimate(&cpu, variant, &on_host, &points)?;
     check(&same, &of_gpu_captures, &on_gpu).map_err(|e| format!("on the GPU's captures: {e}"))?;
 
     let apart = captures_apart(&by_cpu, &on_host)?;

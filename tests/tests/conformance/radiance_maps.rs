@@ -6,11 +6,11 @@ mod point_set;
 
 use crate::ensure;
 use crate::subjects::{Subject, inside, room};
-use crate::world::{Outcome, configured, cpu_stage, gpu_stage, on_both, on_gpu, run};
+use crate::world::{Outcome, configured, cpu_scene, gpu_scene, on_both, on_gpu, run};
 use glam::Vec3;
 use interreflect_conformance::tolerance::Tolerance;
 use interreflect_estimators::Quantity;
-use interreflect_estimators::stage::Stage;
+use interreflect_estimators::execution::BackendScene;
 use interreflect_scene::{Estimate, Light, Material, Point, PointLayout, Scene, SpotShape};
 use libtest_mimic::{Failed, Trial};
 use std::sync::LazyLock;
@@ -35,15 +35,15 @@ pub(crate) fn trials() -> Vec<Trial> {
     .flatten()
     .collect();
     trials.push(Trial::test("radiance_maps/lights_add_up/cpu", || {
-        lights_add_up(|subject| Ok(cpu_stage(subject)))
+        lights_add_up(|subject| Ok(cpu_scene(subject)))
     }));
     trials.push(on_gpu(
         "radiance_maps/lights_add_up/gpu".into(),
-        |context| lights_add_up(|subject| gpu_stage(context, subject)),
+        |context| lights_add_up(|subject| gpu_scene(context, subject)),
     ));
     trials.push(on_gpu(
         "radiance_maps/long_sums_come_in_parts/gpu".into(),
-        |context| long_sums_come_in_parts(&gpu_stage(context, &LIT[5])?, &LIT[5]),
+        |context| long_sums_come_in_parts(&gpu_scene(context, &LIT[5])?, &LIT[5]),
     ));
     trials.extend(point_set::trials());
     trials.extend(mirrors::trials());
@@ -122,18 +122,13 @@ static BELOW: LazyLock<Subject> = LazyLock::new(|| {
     lit_box(&LIGHTS[1..2], vec![Some(below)])
 });
 
-fn shaded<S: Stage>(
-    stage: &S,
+fn shaded<S: BackendScene>(
+    loaded: &S,
     subject: &Subject,
     settings: &[(&str, &str)],
 ) -> Result<Estimate, Failed> {
     let variant = configured("direct_radiance_map", Quantity::Irradiance, settings)?;
-    run(
-        stage,
-        subject,
-        &variant,
-        &subject.points(PointLayout::Surface),
-    )
+    run(loaded, &variant, &subject.points(PointLayout::Surface))
 }
 
 /// Sum of all values.
@@ -149,21 +144,24 @@ fn same(a: &Estimate, b: &Estimate, tolerance: &Tolerance) -> Result<(), String>
 
 /// A documented erratum: equations 11 and 15 know no normals, so what lies behind a lit surface gets
 /// light from it. Equation 14 and the corrected form give it none.
-fn back_sides_are_lit_by_equations_11_and_15<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
+fn back_sides_are_lit_by_equations_11_and_15<S: BackendScene>(
+    loaded: &S,
+    subject: &Subject,
+) -> Outcome {
     for (settings, lit) in [
         ([("solid_angle", "eq11")], true),
         ([("solid_angle", "eq15")], true),
         ([("solid_angle", "eq14")], false),
         ([("fidelity", "corrected")], false),
     ] {
-        let e = total(&shaded(stage, subject, &settings)?);
+        let e = total(&shaded(loaded, subject, &settings)?);
         ensure!((e > 0.0) == lit, "{settings:?} gives {e} behind the floor");
     }
     Ok(())
 }
 
-fn settings_change_what_they_should<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
-    let with = |settings: &[(&str, &str)]| shaded(stage, subject, settings);
+fn settings_change_what_they_should<S: BackendScene>(loaded: &S, subject: &Subject) -> Outcome {
+    let with = |settings: &[(&str, &str)]| shaded(loaded, subject, settings);
     let published = with(&[])?;
     ensure!(
         published == with(&[("solid_angle", "eq14"), ("texel", "grid"), ("mip", "false")])?,
@@ -207,9 +205,12 @@ fn settings_change_what_they_should<S: Stage>(stage: &S, subject: &Subject) -> O
 
 /// With 3×3 samples of a picture of 16×16 a texel's own size counts 9/256 of the light: about 97 %
 /// is lost, and as near photons are bounded as discs are, a little less.
-fn texels_of_the_picture_lose_most_light<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
-    let grid = total(&shaded(stage, subject, &[("texel", "grid")])?);
-    let texture = total(&shaded(stage, subject, &[("texel", "texture")])?);
+fn texels_of_the_picture_lose_most_light<S: BackendScene>(
+    loaded: &S,
+    subject: &Subject,
+) -> Outcome {
+    let grid = total(&shaded(loaded, subject, &[("texel", "grid")])?);
+    let texture = total(&shaded(loaded, subject, &[("texel", "texture")])?);
     let kept = texture / grid;
     println!("kept: {:.2} %", 100.0 * kept);
     ensure!(
@@ -221,7 +222,7 @@ fn texels_of_the_picture_lose_most_light<S: Stage>(stage: &S, subject: &Subject)
 }
 
 /// Several lights give the sum of what each gives alone.
-fn lights_add_up<S: Stage>(stage: impl Fn(&Subject) -> Result<S, Failed>) -> Outcome {
+fn lights_add_up<S: BackendScene>(loaded: impl Fn(&Subject) -> Result<S, Failed>) -> Outcome {
     let rounding = Tolerance {
         absolute: 1e-6,
         relative: 1e-5,
@@ -233,7 +234,7 @@ fn lights_add_up<S: Stage>(stage: impl Fn(&Subject) -> Result<S, Failed>) -> Out
         &[("solid_angle", "eq15")],
         &[("fidelity", "corrected"), ("mip", "true")],
     ] {
-        let of = |subject: &Subject| shaded(&stage(subject)?, subject, settings);
+        let of = |subject: &Subject| shaded(&loaded(subject)?, subject, settings);
         let together = of(&LIT[4])?;
         let mut sum = Estimate::new(together.len());
         for alone in &LIT[..4] {
@@ -250,13 +251,13 @@ fn lights_add_up<S: Stage>(stage: impl Fn(&Subject) -> Result<S, Failed>) -> Out
 
 /// Two point lights with 64×64 samples a view: 49,152 photons, more than one dispatch sums. On the
 /// CPU there is no such limit.
-fn long_sums_come_in_parts<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
+fn long_sums_come_in_parts<S: BackendScene>(loaded: &S, subject: &Subject) -> Outcome {
     let settings = [
         ("samples_per_side", "64"),
         ("map_resolution", "64"),
         ("fidelity", "corrected"),
     ];
-    let on_cpu = shaded(&cpu_stage(subject), subject, &settings)?;
+    let on_cpu = shaded(&cpu_scene(subject), subject, &settings)?;
     let tolerance = Tolerance {
         absolute: 1e-6,
         relative: 6e-5,
@@ -264,7 +265,7 @@ fn long_sums_come_in_parts<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
     };
     Ok(same(
         &on_cpu,
-        &shaded(stage, subject, &settings)?,
+        &shaded(loaded, subject, &settings)?,
         &tolerance,
     )?)
 }

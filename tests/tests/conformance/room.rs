@@ -5,11 +5,11 @@ use crate::room_points::{ROOM, Room};
 use crate::room_ties::{self, Light, Sum};
 use crate::subjects::Subject;
 use crate::world::{
-    Outcome, Variant, configured, cpu_stage, gpu_stage, ignored, on_both, on_gpu, run,
+    Outcome, Variant, configured, cpu_scene, gpu_scene, ignored, on_both, on_gpu, run,
 };
 use interreflect_conformance::tolerance::Tolerance;
 use interreflect_estimators::Quantity;
-use interreflect_estimators::stage::Stage;
+use interreflect_estimators::execution::BackendScene;
 use libtest_mimic::Trial;
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -39,10 +39,10 @@ pub(crate) fn trials() -> Vec<Trial> {
         let (name, case) = (format!("room/{}", case.column), Arc::new(case));
         let one = case.clone();
         trials.push(Trial::test(format!("{name}/cpu"), move || {
-            one.check(room, &cpu_stage(&room.subject))
+            one.check(room, &cpu_scene(&room.subject))
         }));
         trials.push(on_gpu(format!("{name}/gpu"), move |context| {
-            case.check(room, &gpu_stage(context, &room.subject)?)
+            case.check(room, &gpu_scene(context, &room.subject)?)
         }));
     }
     trials
@@ -52,7 +52,7 @@ pub(crate) fn trials() -> Vec<Trial> {
 /// in float64 near walls, where quadrilaterals cut the room's edges off, and what float32 adds.
 const PROMISE: f64 = 0.016;
 
-fn promise<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
+fn promise<S: BackendScene>(loaded: &S, _: &Subject) -> Outcome {
     let room = ROOM.as_ref().ok_or("no point set")?;
     let settings = [
         ("fidelity", "corrected"),
@@ -60,7 +60,7 @@ fn promise<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
         ("resolution", "8"),
     ];
     let variant = configured("polygon_form_factor", Quantity::Irradiance, &settings)?;
-    let estimate = run(stage, subject, &variant, &room.points)?;
+    let estimate = run(loaded, &variant, &room.points)?;
     let exact = room.column("E_exact")?;
     let error = |i: usize| (f64::from(estimate.get(i).x) / exact[i] - 1.0).abs();
     for (group, mean) in room.means(error) {
@@ -146,8 +146,8 @@ impl Case {
         }
     }
 
-    fn check<S: Stage>(&self, room: &Room, stage: &S) -> Outcome {
-        let estimate = run(stage, &room.subject, &self.variant, &room.points)?;
+    fn check<S: BackendScene>(&self, room: &Room, loaded: &S) -> Outcome {
+        let estimate = run(loaded, &self.variant, &room.points)?;
         let values: Vec<f64> = estimate.iter().map(|v| f64::from(v.x)).collect();
         let expected = room.column(&self.column)?;
         let ties = self.ties(room);

@@ -4,7 +4,7 @@
 use crate::ensure;
 use crate::subjects::{SUBJECTS, Subject};
 use crate::world::{CPU, Outcome, Variant, ignored, on_gpu, variants};
-use interreflect_conformance::verify::{self, Rig, Verdict, rules_in};
+use interreflect_conformance::verify::{self, TestBackend, Verdict, rules_in};
 use libtest_mimic::Trial;
 
 pub(crate) fn trials() -> Vec<Trial> {
@@ -18,13 +18,13 @@ pub(crate) fn trials() -> Vec<Trial> {
             }
             let one = variant.copy();
             trials.push(Trial::test(format!("{name}/cpu"), move || {
-                kept(Rig::Cpu(&CPU), subject, &one)
+                kept(TestBackend::Cpu(&CPU), subject, &one)
             }));
             let (name, one) = (format!("{name}/gpu"), variant.copy());
             trials.push(match variant.unsupported_on_gpu(subject) {
                 Some(why) => ignored(name, &why),
                 None => on_gpu(name, move |context| {
-                    kept(Rig::Gpu(&CPU, context), subject, &one)
+                    kept(TestBackend::Gpu(&CPU, context), subject, &one)
                 }),
             });
         }
@@ -32,9 +32,9 @@ pub(crate) fn trials() -> Vec<Trial> {
     trials
 }
 
-fn kept(rig: Rig<'_>, subject: &Subject, variant: &Variant) -> Outcome {
-    let of = verify::Subject {
-        rig,
+fn kept(backend: TestBackend<'_>, subject: &Subject, variant: &Variant) -> Outcome {
+    let of = verify::MethodUnderTest {
+        backend,
         method: &*variant.method,
         quantity: variant.quantity,
         cases: 1,

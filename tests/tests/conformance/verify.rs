@@ -2,7 +2,7 @@
 
 use crate::ensure;
 use crate::world::{CPU, Outcome, Variant, ignored, on_gpu, variants};
-use interreflect_conformance::verify::{Rig, Subject, Verdict, checks};
+use interreflect_conformance::verify::{MethodUnderTest, TestBackend, Verdict, checks};
 use interreflect_estimators::Claim;
 use libtest_mimic::Trial;
 
@@ -15,13 +15,13 @@ pub(crate) fn trials() -> Vec<Trial> {
         let name = format!("verify/{}", variant.name());
         let one = variant.copy();
         trials.push(Trial::test(format!("{name}/cpu"), move || {
-            checked(Rig::Cpu(&CPU), &one)
+            checked(TestBackend::Cpu(&CPU), &one)
         }));
         let name = format!("{name}/gpu");
         trials.push(match variant.gpu() {
             Err(why) => ignored(name, why),
             Ok(()) => on_gpu(name, move |context| {
-                checked(Rig::Gpu(&CPU, context), &variant)
+                checked(TestBackend::Gpu(&CPU, context), &variant)
             }),
         });
     }
@@ -29,9 +29,9 @@ pub(crate) fn trials() -> Vec<Trial> {
     trials
 }
 
-fn checked(rig: Rig<'_>, variant: &Variant) -> Outcome {
-    let subject = Subject {
-        rig,
+fn checked(backend: TestBackend<'_>, variant: &Variant) -> Outcome {
+    let subject = MethodUnderTest {
+        backend,
         method: &*variant.method,
         quantity: variant.quantity,
         cases: CASES,
@@ -63,7 +63,7 @@ fn checked(rig: Rig<'_>, variant: &Variant) -> Outcome {
     let claims = subject.claims();
     let asked = claims
         .iter()
-        .filter(|claim| !matches!(claim, Claim::FormFactor { .. }) || rig.name() == "cpu");
+        .filter(|claim| !matches!(claim, Claim::FormFactor { .. }) || backend.name() == "cpu");
     for claim in asked {
         let tried = checks().any(|check| check.asks(claim) && passed.contains(&check.name));
         ensure!(tried, "no check asked about {claim:?}");

@@ -5,13 +5,12 @@ mod ways;
 
 use crate::ensure;
 use crate::subjects::{SUBJECTS, Subject, same_bits};
-use crate::world::{CPU, Outcome, configured, cpu_stage, gpu_stage, ignored, on_gpu};
+use crate::world::{CPU, Outcome, configured, cpu_scene, gpu_scene, ignored, on_gpu};
 use glam::Quat;
 use interreflect::view::{Look, Mirrors, ShadedAt, View};
 use interreflect_cpu::scene::CpuScene;
-use interreflect_estimators::directional_ao::{CpuState, DirectionalAo, DirectionalAoParams};
-use interreflect_estimators::stage::{Placed, Stage};
-use interreflect_estimators::{Changed, Cpu, Estimator, Inputs, Method, Quantity, Session};
+use interreflect_estimators::execution::BackendScene;
+use interreflect_estimators::{Changed, Quantity, Records};
 use interreflect_scene::{Camera, Estimate, PointLayout, Points};
 use libtest_mimic::{Failed, Trial};
 use std::path::PathBuf;
@@ -41,16 +40,16 @@ pub(crate) fn trials() -> Vec<Trial> {
     let (refined, filtered) = ("visibility/refinement", "visibility/filtering");
     trials.extend([
         Trial::test(format!("{refined}/cpu"), || {
-            refinement(&cpu_stage(studio()))
+            refinement(&cpu_scene(studio()))
         }),
         on_gpu(format!("{refined}/gpu"), |c| {
-            refinement(&gpu_stage(c, studio())?)
+            refinement(&gpu_scene(c, studio())?)
         }),
         Trial::test(format!("{filtered}/cpu"), || {
-            filtering(&cpu_stage(studio()))
+            filtering(&cpu_scene(studio()))
         }),
         on_gpu(format!("{filtered}/gpu"), |c| {
-            filtering(&gpu_stage(c, studio())?)
+            filtering(&gpu_scene(c, studio())?)
         }),
         Trial::test("visibility/evaluations", evaluations),
     ]);
@@ -69,36 +68,27 @@ fn small(camera: Camera) -> Camera {
 }
 
 /// Frames of a session of one method: what changed, and what the camera sees.
-fn frames<'v, S: Stage>(
-    stage: &S,
+fn frames<'v, S: BackendScene>(
+    loaded: &'v S,
     settings: &[(&str, &str)],
-    points: &Points,
+    points: &'v Points,
     frames: impl IntoIterator<Item = (Changed, Option<&'v View>)>,
 ) -> Result<Vec<Estimate>, Failed> {
     let variant = configured("directional_ao", AO, settings)?;
-    let scene = studio().cpu.scene();
-    let needs = variant.method.needs(AO, &scene.facts())?;
-    let captures = stage.capture(&needs)?.0;
-    let mut session: Box<dyn Session<S::Backend>> = stage.open(&*variant.method)?;
-    let Placed {
-        points: placed,
-        mut out,
-    } = stage.place(points)?;
-    let origin = (scene.facts(), scene.reference_point);
+    let mut executor = variant.executor(loaded, points)?;
     let mut estimates = Vec::new();
     for (changed, view) in frames {
-        let mut inputs = Inputs::new(&needs, &captures, &placed, points, origin, changed);
-        inputs.seen = view.and_then(View::seen);
-        stage.timed("prepare", &mut |cx| session.prepare(cx, AO, &inputs, &out))?;
-        stage.timed("shade", &mut |cx| session.shade(cx, AO, &inputs, &mut out))?;
-        estimates.push(stage.read_back(&out)?.0);
+        executor.set_visible(view.and_then(View::visible));
+        executor.prepare(changed)?;
+        executor.shade()?;
+        estimates.push(executor.read_back()?.0);
     }
     Ok(estimates)
 }
 
 /// After the surfaces come to rest the level rises by one a frame, and gives bit for bit what a fresh
 /// evaluation at that level gives. A changed environment changes nothing here.
-fn refinement<S: Stage>(stage: &S) -> Outcome {
+fn refinement<S: BackendScene>(loaded: &S) -> Outcome {
     let points = studio().points(PointLayout::Surface);
     let settings = |level| {
         [
@@ -110,9 +100,9 @@ fn refinement<S: Stage>(stage: &S) -> Outcome {
     let moved = Changed::SCENE | Changed::POINTS;
     let rest = [Changed::NOTHING, Changed::ENVIRONMENT, Changed::NOTHING];
     let all = [Changed::ALL, moved].into_iter().chain(rest);
-    let refined = frames(stage, &settings("3"), &points, all.map(|c| (c, None)))?;
+    let refined = frames(loaded, &settings("3"), &points, all.map(|c| (c, None)))?;
     for (frame, level) in [(1, "0"), (2, "1"), (3, "2"), (4, "3")] {
-        let fresh = frames(stage, &settings(level), &points, [(Changed::ALL, None)])?;
+        let fresh = frames(loaded, &settings(level), &points, [(Changed::ALL, None)])?;
         same_bits(&fresh[0], refined[frame].iter())
             .map_err(|e| format!("frame {frame}, level {level}: {e}"))?;
     }
@@ -121,7 +111,7 @@ fn refinement<S: Stage>(stage: &S) -> Outcome {
 
 /// A camera that goes around: each frame has at the vertices of visible triangles what an evaluation
 /// of all vertices gives.
-fn filtering<S: Stage>(stage: &S) -> Outcome {
+fn filtering<S: BackendScene>(loaded: &S) -> Outcome {
     let views = orbit()?;
     let points = views[0].points(PointLayout::Surface);
     let settings = |filter| {
@@ -144,8 +134,8 @@ fn filtering<S: Stage>(stage: &S) -> Outcome {
             .enumerate()
             .map(|(i, view)| (changed(i), Some(view)))
     };
-    let all = frames(stage, &settings("false"), &points, sequence())?;
-    let filtered = frames(stage, &settings("true"), &points, sequence())?;
+    let all = frames(loaded, &settings("false"), &points, sequence())?;
+    let filtered = frames(loaded, &settings("true"), &points, sequence())?;
     for (i, view) in views.iter().enumerate() {
         let (a, b) = (view.image(&all[i]), view.image(&filtered[i]));
         ensure!(a.pixels == b.pixels, "frame {i} has other visible vertices");
@@ -155,6 +145,13 @@ fn filtering<S: Stage>(stage: &S) -> Outcome {
         "vertices at the back were evaluated in the first frame too"
     );
     Ok(())
+}
+
+/// How many points were evaluated, by what a session shows of itself.
+fn evaluations_of(records: &[Records]) -> Result<u64, Failed> {
+    let found = records.iter().find(|r| r.name == "evaluations");
+    let found = found.and_then(|r| r.values.first());
+    Ok(*found.ok_or("no count of evaluations")? as u64)
 }
 
 /// Six views of the studio's receiver, 15° apart.
@@ -173,39 +170,32 @@ fn orbit() -> Result<Vec<View>, Failed> {
 /// With the lists no vertex is evaluated twice, only those are that were seen, and a camera that goes
 /// a quarter around leaves some untouched; without them all are evaluated in the first frame.
 fn evaluations() -> Outcome {
-    let (views, stage) = (orbit()?, cpu_stage(studio()));
-    let scene = studio().cpu.scene();
+    let (views, loaded) = (orbit()?, cpu_scene(studio()));
     let points = views[0].points(PointLayout::Surface);
     let mut seen: Vec<bool> = vec![false; points.len()];
     let mut counts = [Vec::new(), Vec::new()];
     for (filter, counts) in [false, true].into_iter().zip(&mut counts) {
-        let params = DirectionalAoParams {
-            level: 0,
-            map_resolution: 64,
-            filter,
-            ..DirectionalAoParams::default()
-        };
-        let needs = DirectionalAo::needs(&params, AO, &scene.facts())?;
-        let captures = stage.capture(&needs)?.0;
-        let (mut state, out) = (CpuState::default(), Estimate::new(points.len()));
-        let origin = (scene.facts(), scene.reference_point);
+        let settings = [
+            ("level", "0"),
+            ("map_resolution", "64"),
+            ("filter", if filter { "true" } else { "false" }),
+        ];
+        let variant = configured("directional_ao", AO, &settings)?;
+        let mut executor = variant.executor(&loaded, &points)?;
         for (i, view) in views.iter().enumerate() {
             let changed = if i == 0 {
                 Changed::ALL
             } else {
                 Changed::NOTHING
             };
-            let mut inputs =
-                Inputs::<Cpu>::new(&needs, &captures, &points, &points, origin, changed);
-            inputs.seen = view.seen();
-            let cx = &mut &*CPU;
-            <DirectionalAo as Estimator<Cpu>>::prepare(&params, &mut state, cx, AO, &inputs, &out)?;
-            counts.push(state.evaluations());
+            executor.set_visible(view.visible());
+            executor.prepare(changed)?;
+            counts.push(evaluations_of(&executor.records()?)?);
         }
     }
     let mut expected = Vec::new();
     for view in &views {
-        let visible = view.seen().ok_or("no vertices")?;
+        let visible = view.visible().ok_or("no vertices")?;
         for &triangle in visible.visible {
             visible.triangles[triangle as usize]
                 .iter()

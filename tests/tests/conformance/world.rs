@@ -2,12 +2,15 @@
 
 use crate::subjects::Subject;
 use interreflect_cpu::tiles::CpuCx;
-use interreflect_estimators::stage::{CpuStage, GpuStage, Stage, captured, estimated};
-use interreflect_estimators::{Captures, Configured, Quantity, Registry, Unsupported};
-use interreflect_gpu::{GpuContext, GpuError, GpuScene};
+use interreflect_estimators::execution::{BackendScene, CpuLoadedScene, Executor, GpuLoadedScene};
+use interreflect_estimators::{
+    Captures, Configured, EstimatorError, Quantity, Registry, Unsupported,
+};
+use interreflect_gpu::{GpuContext, GpuError};
 use interreflect_scene::params::{Domain, FIDELITY};
 use interreflect_scene::{Estimate, Points, SceneFacts};
 use libtest_mimic::{Failed, Trial};
+use std::rc::Rc;
 use std::sync::{Arc, LazyLock};
 
 /// What a trial comes to.
@@ -88,6 +91,15 @@ impl Variant {
         self.unsupported_on_gpu(subject).is_none()
     }
 
+    /// Runs it in a scene.
+    pub(crate) fn executor<'s, S: BackendScene>(
+        &self,
+        loaded: &'s S,
+        points: &'s Points,
+    ) -> Result<Executor<'s, S::Backend>, EstimatorError> {
+        loaded.executor(&*self.method, self.quantity, points)
+    }
+
     pub(crate) fn copy(&self) -> Self {
         Self {
             method: self.method.boxed_clone(),
@@ -154,21 +166,21 @@ pub(crate) fn configured(
     Ok(Variant { method, quantity })
 }
 
-/// A check on a stage of either backend.
+/// A check on a loaded of either backend.
 type Check<S> = fn(&S, &'static Subject) -> Outcome;
 
 /// One trial on each backend.
 pub(crate) fn on_both(
     name: &str,
     subject: impl Fn() -> &'static Subject + Copy + Send + 'static,
-    cpu: Check<CpuStage<'static>>,
-    gpu: Check<GpuStage>,
+    cpu: Check<CpuLoadedScene>,
+    gpu: Check<GpuLoadedScene>,
 ) -> [Trial; 2] {
     let on_cpu = Trial::test(format!("{name}/cpu"), move || {
-        cpu(&cpu_stage(subject()), subject())
+        cpu(&cpu_scene(subject()), subject())
     });
     let on_device = on_gpu(format!("{name}/gpu"), move |context| {
-        gpu(&gpu_stage(context, subject())?, subject())
+        gpu(&gpu_scene(context, subject())?, subject())
     });
     [on_cpu, on_device]
 }
@@ -189,52 +201,45 @@ pub(crate) fn bounced(captured: u32) -> Vec<Variant> {
 }
 
 /// A scene on the CPU.
-pub(crate) fn cpu_stage(subject: &Subject) -> CpuStage<'static> {
-    CpuStage {
-        cx: &CPU,
-        scene: subject.cpu.clone(),
-    }
+pub(crate) fn cpu_scene(subject: &Subject) -> CpuLoadedScene {
+    CpuLoadedScene::new(&CPU, subject.cpu.clone())
 }
 
 /// A scene on the GPU.
-pub(crate) fn gpu_stage(
+pub(crate) fn gpu_scene(
     context: &Arc<GpuContext>,
     subject: &Subject,
-) -> Result<GpuStage<'static>, Failed> {
-    let scene = GpuScene::new(context, subject.cpu.scene())?;
-    Ok(GpuStage::new(context.clone(), scene, cpu_stage(subject)))
+) -> Result<GpuLoadedScene, Failed> {
+    Ok(GpuLoadedScene::new(context, cpu_scene(subject))?)
 }
 
 /// The captures that a method declares.
-pub(crate) fn captures<S: Stage>(
-    stage: &S,
-    subject: &Subject,
+pub(crate) fn captures<S: BackendScene>(
+    loaded: &S,
     variant: &Variant,
-) -> Result<Captures<S::Backend>, Failed> {
-    let (scene, method) = (subject.cpu.scene(), &*variant.method);
-    Ok(captured(stage, scene, method, variant.quantity)?)
+) -> Result<Rc<Captures<S::Backend>>, Failed> {
+    let facts = loaded.scene().facts();
+    let needs = variant.method.needs(variant.quantity, &facts)?;
+    Ok(Rc::new(loaded.capture(&needs)?.0))
 }
 
 /// Prepares and shades with these captures.
-pub(crate) fn estimate<S: Stage>(
-    stage: &S,
-    subject: &Subject,
+pub(crate) fn estimate<S: BackendScene>(
+    loaded: &S,
     variant: &Variant,
-    captures: &Captures<S::Backend>,
+    captures: &Rc<Captures<S::Backend>>,
     points: &Points,
 ) -> Result<Estimate, Failed> {
-    let (scene, method) = (subject.cpu.scene(), &*variant.method);
-    let quantity = variant.quantity;
-    Ok(estimated(stage, scene, method, quantity, captures, points)?)
+    let mut executor = variant.executor(loaded, points)?;
+    executor.set_captures(captures.clone());
+    Ok(executor.estimate()?)
 }
 
 /// Captures, prepares and shades.
-pub(crate) fn run<S: Stage>(
-    stage: &S,
-    subject: &Subject,
+pub(crate) fn run<S: BackendScene>(
+    loaded: &S,
     variant: &Variant,
     points: &Points,
 ) -> Result<Estimate, Failed> {
-    let captures = captures(stage, subject, variant)?;
-    estimate(stage, subject, variant, &captures, points)
+    Ok(variant.executor(loaded, points)?.estimate()?)
 }

@@ -1,6 +1,6 @@
 //! The box-filtered mip pyramid on the CPU, in the arithmetic and order of the GPU's.
 
-use super::super::ShMipEnvmapParams;
+use super::super::ShMipEnvmap;
 use super::super::math::{level_offset, mip_taps, neighbour};
 use super::super::tables::box_weights;
 use crate::averaging::{averaged, cube_texels};
@@ -18,12 +18,12 @@ pub(super) struct BoxWeights {
 }
 
 impl BoxWeights {
-    pub(super) fn new(params: &ShMipEnvmapParams) -> Self {
-        let weights = |size| box_weights(params.fidelity, size);
-        let levels = 0..params.top_level();
+    pub(super) fn new(method: &ShMipEnvmap) -> Self {
+        let weights = |size| box_weights(method.fidelity, size);
+        let levels = 0..method.top_level();
         Self {
-            captured: weights(params.captured().size),
-            levels: levels.map(|l| weights(params.base_size() >> l)).collect(),
+            captured: weights(method.captured().size),
+            levels: levels.map(|l| weights(method.base_size() >> l)).collect(),
         }
     }
 }
@@ -37,16 +37,12 @@ pub(super) struct Pyramid {
 
 impl Pyramid {
     /// Averages the capture down, level by level, and fills the borders.
-    pub(super) fn new(
-        params: &ShMipEnvmapParams,
-        weights: &BoxWeights,
-        captured: &CubeImage,
-    ) -> Self {
-        let base = params.base_size();
+    pub(super) fn new(method: &ShMipEnvmap, weights: &BoxWeights, captured: &CubeImage) -> Self {
+        let base = method.base_size();
         let coarsest = CUBE_FACES * 9;
         let mut pyramid = Self {
             base,
-            top: params.top_level(),
+            top: method.top_level(),
             texels: vec![Vec3::ZERO; level_offset(base, 1) as usize + coarsest],
         };
         let means = averaged(captured, &weights.captured, base);
@@ -58,7 +54,7 @@ impl Pyramid {
             pyramid.reduce(base >> (level + 1), weights);
         }
         for level in 0..=pyramid.top {
-            pyramid.fill_border(base >> level, params.fidelity);
+            pyramid.fill_border(base >> level, method.fidelity);
         }
         pyramid
     }

@@ -1,12 +1,12 @@
 //! The box-filtered mip pyramid on the GPU.
 
-use super::super::ShMipEnvmapParams;
+use super::super::ShMipEnvmap;
 use super::super::math::level_offset;
 use super::super::tables::box_weights;
 use super::LEAVES;
 use crate::averaging::{Target, record_average};
-use crate::{EstimatorError, Gpu, Inputs};
-use interreflect_gpu::{GpuContext, GpuCx, Kernel, Shader, wgsl};
+use crate::{EstimatorError, Frame, Gpu};
+use interreflect_gpu::{GpuContext, Kernel, Shader, wgsl};
 use interreflect_scene::conventions::CUBE_FACES;
 use interreflect_scene::params::Fidelity;
 
@@ -35,19 +35,16 @@ pub(super) struct Pyramid {
 }
 
 impl Pyramid {
-    pub(super) fn new(
-        params: &ShMipEnvmapParams,
-        context: &GpuContext,
-    ) -> Result<Self, EstimatorError> {
-        let (base, faces) = (params.base_size(), CUBE_FACES as u32);
+    pub(super) fn new(method: &ShMipEnvmap, context: &GpuContext) -> Result<Self, EstimatorError> {
+        let (base, faces) = (method.base_size(), CUBE_FACES as u32);
         let stored = level_offset(base, 1) + faces * 9;
         let texels = context.storage_zeroed("sh_mip_envmap pyramid", 16 * u64::from(stored))?;
         let mut weights = Vec::new();
         let mut levels = Vec::new();
-        for level in 1..=params.top_level() {
+        for level in 1..=method.top_level() {
             let size = base >> level;
             levels.push((size, weights.len() as u32));
-            weights.extend(box_weights(params.fidelity, 2 * size));
+            weights.extend(box_weights(method.fidelity, 2 * size));
         }
         let weights = context.storage("sh_mip_envmap box weights", &weights)?;
         let kernel = |entry, size, first_weight| {
@@ -55,7 +52,7 @@ impl Pyramid {
                 base,
                 size,
                 first_weight,
-                across: u32::from(params.fidelity == Fidelity::Corrected),
+                across: u32::from(method.fidelity == Fidelity::Corrected),
             };
             let reduce = context.uniform("sh_mip_envmap level", &reduce)?;
             let bindings = [(&reduce).into(), (&texels).into(), (&weights).into()];
@@ -67,7 +64,7 @@ impl Pyramid {
             kernels.push((kernel("reduce_level", size, first_weight)?, invocations));
         }
         kernels.push((kernel("fill_borders", 1, 0)?, stored));
-        let captured = box_weights(params.fidelity, params.captured().size);
+        let captured = box_weights(method.fidelity, method.captured().size);
         Ok(Self {
             captured_weights: context.storage("captured box weights", &captured)?,
             texels,
@@ -78,19 +75,18 @@ impl Pyramid {
     /// Records averaging of the capture to the base, every other level, and all borders.
     pub(super) fn record(
         &self,
-        params: &ShMipEnvmapParams,
-        cx: &mut GpuCx,
-        inputs: &Inputs<'_, Gpu>,
+        method: &ShMipEnvmap,
+        frame: &mut Frame<'_, Gpu>,
     ) -> Result<(), EstimatorError> {
         let target = Target {
             buffer: &self.texels,
-            resolution: params.base_size(),
+            resolution: method.base_size(),
             border: 1,
         };
         let weights = &self.captured_weights;
-        record_average(cx, inputs, &params.captured(), weights, &target)?;
+        record_average(frame, &method.captured(), weights, &target)?;
         for (kernel, invocations) in &self.kernels {
-            kernel.record(cx, [invocations.div_ceil(64), 1, 1]);
+            kernel.record(frame.cx, [invocations.div_ceil(64), 1, 1]);
         }
         Ok(())
     }

@@ -45,7 +45,7 @@ pub(super) fn run(lab: &Lab, command: &Verify, methods: &[Variant]) -> Result<()
             bar.set_message(format!("{} on {backend}", method.info().id));
             // A device that is not there, or a method without an implementation on it, has no rows.
             if let Ok(subject) = subject(lab, command, (&**method, *quantity), backend)
-                && subject.rig.opens(&**method).is_ok()
+                && subject.backend.opens(&**method).is_ok()
             {
                 let row = |extreme: Extreme| Row {
                     estimator: method.info().id,

@@ -1,6 +1,6 @@
 //! Indirect light of few samples beside the truth, and beside a uniform ambient light.
 
-use super::super::desk::{Desk, Room};
+use super::super::desk::Desk;
 use super::super::finding::Finding;
 use super::super::judge::{ERROR, Judge, scaled};
 use super::super::pictures::Row;
@@ -12,6 +12,7 @@ use crate::truth::References;
 use crate::view::View;
 use glam::{DVec3, Vec3};
 use interreflect_estimators::Quantity;
+use interreflect_estimators::execution::LoadedScene;
 use interreflect_scene::{Estimate, PointLayout, Points};
 use std::f32::consts::FRAC_1_PI;
 
@@ -74,7 +75,7 @@ pub(super) struct Published {
 /// Compares maps of 3×3 samples in a scene that is set up with the truth and a uniform ambient light.
 pub(super) fn compare(
     desk: &Desk<'_>,
-    room: &Room<'_>,
+    room: &LoadedScene,
     (case, view, mut references): (&str, &View, References<'_>),
     finding: &mut Finding,
 ) -> Result<Vec<Published>, HarnessError> {

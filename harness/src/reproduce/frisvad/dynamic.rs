@@ -8,7 +8,7 @@ use super::super::{pictures::Row, shot::amount_of};
 use super::bleeding;
 use crate::error::HarnessError;
 use crate::record::Backend;
-use crate::stages::Running;
+use crate::stages::Sequence;
 use crate::view::View;
 use glam::Vec3;
 use interreflect_estimators::Quantity;
@@ -50,18 +50,18 @@ fn frames(
 ) -> Result<(), HarnessError> {
     let quantity = Quantity::Irradiance;
     let map = desk.method("direct_radiance_map", &[])?;
-    let (mut running, mut worst, mut times) = (Running::default(), 0.0_f64, Vec::new());
+    let (mut running, mut worst, mut times) = (Sequence::default(), 0.0_f64, Vec::new());
     let mut row = Row::plain(format!("frames of the sequence, {backend}"));
     for index in 0..count {
         let t = f64::from(index) / f64::from(count - 1);
         let room = desk.set_up(&moved(scene, t as f32))?;
         let view = desk.view(&room)?;
         let points = view.points(quantity.layout());
-        let seen = (&points, view.seen(), MOVES);
+        let seen = (&points, view.visible(), MOVES);
         let on = desk.frame(&room, (&mut running, backend), &*map, quantity, seen)?;
         let anew = desk.frame(
             &room,
-            (&mut Running::default(), backend),
+            (&mut Sequence::default(), backend),
             &*map,
             quantity,
             seen,

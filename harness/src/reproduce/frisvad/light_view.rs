@@ -1,14 +1,16 @@
 //! The pictures from the lights, texel by texel.
 
-use super::super::desk::{Desk, Room};
+use super::super::desk::Desk;
 use super::super::finding::Finding;
 use super::super::pictures::Row;
 use super::super::place::Place;
 use super::super::verdict::{Amount, Trial};
 use crate::error::HarnessError;
 use crate::output::HdrImage;
+use crate::stages::light_views;
 use glam::{DVec3, Vec3};
 use interreflect_estimators::Quantity;
+use interreflect_estimators::execution::LoadedScene;
 use interreflect_scene::LightViewImage;
 use interreflect_scene::light_view::view_index;
 use std::f32::consts::FRAC_1_PI;
@@ -22,12 +24,12 @@ const OFF: f64 = 1e-3;
 pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
     let mut finding = Finding::default();
     let map = desk.method("direct_radiance_map", &[])?;
-    let facts_of = |room: &Room<'_>| room.cpu.scene().facts();
+    let facts_of = |room: &LoadedScene| room.scene().facts();
     for scene in ["cornell-box", "cave"] {
         let room = desk.room(&Place::of(scene), &mut finding)?;
         let needs = map.needs(Quantity::Irradiance, &facts_of(&room))?;
         for backend in desk.backends() {
-            let mut views = room.stages.light_views(backend, &needs)?;
+            let mut views = light_views(&room, backend, &needs)?;
             let Some(view) = views.pop() else { continue };
             let (photons, elsewhere, error) = check(&room, &view);
             for (name, value) in [
@@ -55,9 +57,9 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
 
 /// Photons that no mirror brought, the share of them that a ray does not find, and the rms error of
 /// their radiance over its mean.
-fn check(room: &Room<'_>, view: &LightViewImage) -> (usize, f64, f64) {
-    let (scene, size) = (room.cpu.scene(), view.size);
-    let geometry = room.cpu.environment_objects();
+fn check(room: &LoadedScene, view: &LightViewImage) -> (usize, f64, f64) {
+    let (scene, size) = (room.scene(), view.size);
+    let geometry = room.cpu().scene.environment_objects();
     let (mut photons, mut elsewhere) = (0_usize, 0_usize);
     let (mut square, mut sum) = (DVec3::ZERO, DVec3::ZERO);
     for (f, frame) in view.frames.iter().enumerate() {
@@ -65,9 +67,10 @@ fn check(room: &Room<'_>, view: &LightViewImage) -> (usize, f64, f64) {
             let i = view_index(size, f, column, row);
             let across = |v: u32| 2.0 * (f64::from(v) + 0.5) / f64::from(size) - 1.0;
             let (origin, along) = frame.ray(across(column), across(row));
-            let hit = room
-                .cpu
-                .closest(geometry, origin, along.as_vec3(), geometry.ray_start());
+            let hit =
+                room.cpu()
+                    .scene
+                    .closest(geometry, origin, along.as_vec3(), geometry.ray_start());
             let Some(hit) = hit.filter(|h| view.path_m[i] > 0.0 && !h.material.mirror) else {
                 continue;
             };

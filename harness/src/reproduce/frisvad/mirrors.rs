@@ -1,6 +1,6 @@
 //! What mirrors show of indirect light: nothing, a trick, or what is there.
 
-use super::super::desk::{Desk, Room};
+use super::super::desk::Desk;
 use super::super::finding::Finding;
 use super::super::judge::{Judge, scaled};
 use super::super::pictures::Row;
@@ -12,6 +12,7 @@ use crate::output::HdrImage;
 use crate::record::Backend;
 use crate::view::{Look, Mirrors, ShadedAt, View};
 use interreflect_estimators::Quantity;
+use interreflect_estimators::execution::LoadedScene;
 use interreflect_scene::{Estimate, PointLayout};
 
 /// The figure's pictures.
@@ -78,7 +79,7 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
     Ok(finding)
 }
 
-fn look(desk: &Desk<'_>, room: &Room<'_>, mirrors: Mirrors) -> Result<View, HarnessError> {
+fn look(desk: &Desk<'_>, room: &LoadedScene, mirrors: Mirrors) -> Result<View, HarnessError> {
     let look = Look {
         at: ShadedAt::Pixels,
         mirrors,
@@ -88,7 +89,7 @@ fn look(desk: &Desk<'_>, room: &Room<'_>, mirrors: Mirrors) -> Result<View, Harn
 
 fn shoot(
     desk: &Desk<'_>,
-    room: &Room<'_>,
+    room: &LoadedScene,
     (view, backend): (&View, Backend),
     finding: &mut Finding,
 ) -> Result<Estimate, HarnessError> {

@@ -1,12 +1,13 @@
 //! Frame rates over samples and triangles.
 
-use super::super::desk::{Desk, Room};
+use super::super::desk::Desk;
 use super::super::finding::Finding;
 use super::super::place::Place;
 use super::super::verdict::{Amount, Trial};
 use crate::error::HarnessError;
 use crate::record::Backend;
 use interreflect_estimators::Quantity;
+use interreflect_estimators::execution::LoadedScene;
 use interreflect_scene::Role;
 
 /// Samples along the edge of the grid.
@@ -27,7 +28,7 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
         .collect();
     for model in [None, Some("dragon"), Some("dragon_871k")] {
         let (name, room) = in_the_box(desk, model, &mut finding)?;
-        let scene = room.cpu.scene();
+        let scene = room.scene();
         let triangles = scene.objects.iter().map(|o| o.mesh.triangles.len()).sum();
         for (backend, columns) in &mut columns {
             let times = times(desk, &room, (&name, *backend), &mut finding)?;
@@ -45,7 +46,7 @@ fn in_the_box<'a>(
     desk: &Desk<'a>,
     model: Option<&str>,
     finding: &mut Finding,
-) -> Result<(String, Room<'a>), HarnessError> {
+) -> Result<(String, LoadedScene), HarnessError> {
     let (name, place) = match model.map(|name| desk.mesh(name)) {
         Some(model) => (
             model.name.clone(),
@@ -64,7 +65,7 @@ fn in_the_box<'a>(
 
 fn times(
     desk: &Desk<'_>,
-    room: &Room<'_>,
+    room: &LoadedScene,
     (name, backend): (&str, Backend),
     finding: &mut Finding,
 ) -> Result<Vec<Amount>, HarnessError> {

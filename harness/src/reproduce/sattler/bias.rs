@@ -9,7 +9,7 @@ use super::super::verdict::{Amount, Trial};
 use super::sequence::{Moment, RESTING};
 use crate::error::HarnessError;
 use crate::record::Backend;
-use crate::stages::Running;
+use crate::stages::Sequence;
 use interreflect_estimators::Quantity;
 use interreflect_scene::motion::Moves;
 
@@ -90,7 +90,7 @@ fn filtered(desk: &Desk<'_>, backend: Backend, finding: &mut Finding) -> Result<
         )
     };
     let (plain, with_lists) = (method(false)?, method(true)?);
-    let (mut all, mut filtered) = (Running::default(), Running::default());
+    let (mut all, mut filtered) = (Sequence::default(), Sequence::default());
     let mut worst = 0.0_f64;
     let mut row = Row::plain(format!(
         "a turning camera's frames with the lists, {backend}"

@@ -8,7 +8,7 @@ use super::super::place::Place;
 use super::sequence::{DEFORMING, Moment};
 use crate::error::HarnessError;
 use crate::record::Backend;
-use crate::stages::Running;
+use crate::stages::Sequence;
 use interreflect_estimators::Quantity;
 use interreflect_scene::Estimate;
 
@@ -25,10 +25,10 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
             ("map_resolution", &desk.pick(128, 512)),
         ],
     )?;
-    let mut running: Vec<(Backend, Running, Option<Estimate>)> = desk
+    let mut running: Vec<(Backend, Sequence, Option<Estimate>)> = desk
         .backends()
         .into_iter()
-        .map(|b| (b, Running::default(), None))
+        .map(|b| (b, Sequence::default(), None))
         .collect();
     for index in 0..desk.pick(3_u8, 9) {
         // The shape is at rest at 0 s, and farthest from it at a quarter of its period of 2 s.

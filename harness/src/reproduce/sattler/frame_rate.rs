@@ -10,7 +10,7 @@ use super::directions;
 use super::sequence::{DEFORMING, Moment, RESTING};
 use crate::error::HarnessError;
 use crate::record::Backend;
-use crate::stages::Running;
+use crate::stages::Sequence;
 use interreflect_estimators::Configured;
 use interreflect_scene::{Estimate, Scene};
 
@@ -104,7 +104,7 @@ fn held(
 
 fn measure(
     desk: &Desk<'_>,
-    (rest, last): (&Scene, &Moment<'_>),
+    (rest, last): (&Scene, &Moment),
     (backend, frames): (Backend, usize),
     highest: u32,
 ) -> Result<Held, HarnessError> {
@@ -126,7 +126,7 @@ fn measure(
     let budget_ms = (full_ms.value * low_ms.value).sqrt();
     let controlled = method(highest, 1e3 / budget_ms)?;
     let (held_ms, mut running) = moving(desk, rest, (backend, frames), &*controlled)?;
-    let at_rest = |running: &mut Running, method: &dyn Configured| {
+    let at_rest = |running: &mut Sequence, method: &dyn Configured| {
         let shaded = last.shade(desk, (running, backend), method, RESTING)?;
         Ok::<_, HarnessError>(shaded.estimate)
     };
@@ -136,7 +136,7 @@ fn measure(
     for _ in 0..2 * SETTLED {
         settled = at_rest(&mut running, &*controlled)?;
     }
-    let best = at_rest(&mut Running::default(), &*full)?;
+    let best = at_rest(&mut Sequence::default(), &*full)?;
     Ok(Held {
         full_ms,
         low_ms,
@@ -160,8 +160,8 @@ fn moving(
     rest: &Scene,
     (backend, frames): (Backend, usize),
     method: &dyn Configured,
-) -> Result<(Amount, Running), HarnessError> {
-    let (mut running, mut times) = (Running::default(), Vec::new());
+) -> Result<(Amount, Sequence), HarnessError> {
+    let (mut running, mut times) = (Sequence::default(), Vec::new());
     for index in 0..frames {
         let moment = Moment::of(desk, rest, time_of(index))?;
         times.push(

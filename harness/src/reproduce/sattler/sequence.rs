@@ -1,25 +1,26 @@
 //! Frames of a scene that moves, shaded at vertices.
 
-use super::super::desk::{Desk, Room};
+use super::super::desk::Desk;
 use crate::error::HarnessError;
 use crate::frames::Shaded;
 use crate::record::Backend;
-use crate::stages::Running;
+use crate::stages::Sequence;
 use crate::view::{Look, ShadedAt, View};
+use interreflect_estimators::execution::LoadedScene;
 use interreflect_estimators::{Configured, Quantity};
 use interreflect_scene::motion::Moves;
 use interreflect_scene::{PointLayout, Points, Scene};
 
 /// A moment of a scene, where it can be shaded.
-pub(super) struct Moment<'a> {
-    pub(super) room: Room<'a>,
+pub(super) struct Moment {
+    pub(super) room: LoadedScene,
     pub(super) view: View,
     pub(super) points: Points,
 }
 
-impl<'a> Moment<'a> {
+impl Moment {
     /// A scene at a time in seconds, seen by its camera and shaded at all vertices.
-    pub(super) fn of(desk: &Desk<'a>, rest: &Scene, time_s: f32) -> Result<Self, HarnessError> {
+    pub(super) fn of(desk: &Desk<'_>, rest: &Scene, time_s: f32) -> Result<Self, HarnessError> {
         let room = desk.set_up(&rest.at(time_s))?;
         let look = Look {
             at: ShadedAt::Vertices,
@@ -32,7 +33,7 @@ impl<'a> Moment<'a> {
 
     /// Indices of the vertices that some pixel shows.
     pub(super) fn seen(&self) -> Vec<usize> {
-        let Some(seen) = self.view.seen() else {
+        let Some(seen) = self.view.visible() else {
             return Vec::new();
         };
         let corners = seen
@@ -49,7 +50,7 @@ impl<'a> Moment<'a> {
     pub(super) fn shade(
         &self,
         desk: &Desk<'_>,
-        on: (&mut Running, Backend),
+        on: (&mut Sequence, Backend),
         method: &dyn Configured,
         moves: Moves,
     ) -> Result<Shaded, HarnessError> {
@@ -60,11 +61,11 @@ impl<'a> Moment<'a> {
     pub(super) fn shade_as(
         &self,
         desk: &Desk<'_>,
-        on: (&mut Running, Backend),
+        on: (&mut Sequence, Backend),
         (method, quantity): (&dyn Configured, Quantity),
         moves: Moves,
     ) -> Result<Shaded, HarnessError> {
-        let what = (&self.points, self.view.seen(), moves);
+        let what = (&self.points, self.view.visible(), moves);
         desk.frame(&self.room, on, method, quantity, what)
     }
 }

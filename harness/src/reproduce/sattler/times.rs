@@ -9,7 +9,7 @@ use super::directions;
 use super::sequence::{DEFORMING, Moment, RESTING};
 use crate::error::HarnessError;
 use crate::record::Backend;
-use crate::stages::Running;
+use crate::stages::Sequence;
 use interreflect_estimators::{Configured, Quantity};
 use interreflect_scene::motion::Moves;
 
@@ -36,7 +36,7 @@ struct Film {
     level: u32,
     way: Way,
     method: Box<dyn Configured>,
-    running: Running,
+    running: Sequence,
     ms: Vec<f64>,
 }
 
@@ -132,7 +132,7 @@ fn film(desk: &Desk<'_>, backend: Backend, level: u32, way: Way) -> Result<Film,
         level,
         way,
         method,
-        running: Running::default(),
+        running: Sequence::default(),
         ms: Vec::new(),
     })
 }

@@ -1,6 +1,6 @@
 //! A kept cube map while the object moves away from where it was made, and one map for two objects.
 
-use super::super::desk::{Desk, Room};
+use super::super::desk::Desk;
 use super::super::finding::Finding;
 use super::super::judge::{ERROR, Judge};
 use super::super::pictures::Row;
@@ -10,6 +10,7 @@ use crate::error::HarnessError;
 use crate::record::Backend;
 use crate::view::View;
 use glam::Vec3;
+use interreflect_estimators::execution::LoadedScene;
 use interreflect_estimators::{Configured, Quantity};
 use interreflect_scene::{Estimate, Points, Role};
 
@@ -108,7 +109,7 @@ fn shared(desk: &Desk<'_>, backend: Backend, finding: &mut Finding) -> Result<()
     let truth = references.truth();
     let judge = Judge::new(truth, &points);
     let method = map(desk, 0.0)?;
-    let mut shoot = |room: &Room<'_>| {
+    let mut shoot = |room: &LoadedScene| {
         let shot = desk.timed_shot(room, backend, &*method, Quantity::Irradiance, &points)?;
         finding.runs.push(shot.run.clone());
         Ok::<_, HarnessError>(shot)

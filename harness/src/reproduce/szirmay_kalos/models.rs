@@ -1,12 +1,13 @@
 //! A model in a coloured room: localized maps of few texels beside classic mapping and the truth.
 
-use super::super::desk::{Desk, Room};
+use super::super::desk::Desk;
 use super::super::finding::Finding;
 use super::super::judge::{ERROR, Judge, scaled};
 use super::super::pictures::Row;
 use super::super::place::Place;
 use crate::error::HarnessError;
 use interreflect_cpu::path_tracer::LightPaths;
+use interreflect_estimators::execution::LoadedScene;
 use interreflect_estimators::{Configured, OwnModel, Quantity};
 use interreflect_scene::Estimate;
 
@@ -66,7 +67,7 @@ pub(super) fn run(
 
 fn compare(
     desk: &Desk<'_>,
-    room: &Room<'_>,
+    room: &LoadedScene,
     (case, reflection): (&str, Reflection),
     finding: &mut Finding,
 ) -> Result<(), HarnessError> {

@@ -1,6 +1,6 @@
 //! A plane that faces a wall, ever nearer.
 
-use super::super::desk::{Desk, Room};
+use super::super::desk::Desk;
 use super::super::finding::Finding;
 use super::super::judge::{ERROR, Judge};
 use super::super::pictures::Row;
@@ -10,6 +10,7 @@ use crate::error::HarnessError;
 use crate::output::HdrImage;
 use glam::Vec3;
 use interreflect_estimators::Quantity;
+use interreflect_estimators::execution::LoadedScene;
 use interreflect_scene::{Estimate, Point, PointLayout, Points, SurfaceMaterial};
 
 /// Metres between plane and wall, in a room of half-width 1.
@@ -38,7 +39,7 @@ pub(super) fn run(desk: &Desk<'_>) -> Result<Finding, HarnessError> {
 
 fn at(
     desk: &Desk<'_>,
-    room: &Room<'_>,
+    room: &LoadedScene,
     distance_m: f32,
     finding: &mut Finding,
 ) -> Result<(), HarnessError> {

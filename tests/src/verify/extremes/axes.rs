@@ -1,7 +1,7 @@
 //! What is taken to its extreme, and where on each axis.
 
 use crate::verify::world::{Lighting, Placement, World};
-use crate::verify::{Case, Subject};
+use crate::verify::{Case, MethodUnderTest};
 use glam::{DVec3, Mat3, Vec3};
 use interreflect_estimators::{Configured, Quantity};
 use interreflect_scene::params::Value;
@@ -17,7 +17,7 @@ pub(super) struct Axis {
     /// Whether its inputs have to be refused.
     pub(super) refusable: bool,
     /// What is estimated there; `None` where the axis does not touch the method.
-    pub(super) place: fn(&Subject<'_>, Lighting, f64) -> Option<Place>,
+    pub(super) place: fn(&MethodUnderTest<'_>, Lighting, f64) -> Option<Place>,
 }
 
 /// A scene, points and a method on an axis.
@@ -102,7 +102,7 @@ fn world(lighting: Lighting) -> World {
     Case::unequal(48).world(lighting)
 }
 
-fn place(subject: &Subject<'_>, world: &World) -> Place {
+fn place(subject: &MethodUnderTest<'_>, world: &World) -> Place {
     Place {
         scene: world.scene(),
         points: world.placed_points(subject.quantity),
@@ -111,7 +111,7 @@ fn place(subject: &Subject<'_>, world: &World) -> Place {
     }
 }
 
-fn scale(subject: &Subject<'_>, lighting: Lighting, metres: f64) -> Option<Place> {
+fn scale(subject: &MethodUnderTest<'_>, lighting: Lighting, metres: f64) -> Option<Place> {
     let mut world = world(lighting);
     world.placement = Placement {
         linear: Mat3::from_diagonal(Vec3::splat(metres as f32)),
@@ -121,7 +121,7 @@ fn scale(subject: &Subject<'_>, lighting: Lighting, metres: f64) -> Option<Place
 }
 
 /// All light times a factor.
-fn radiance(subject: &Subject<'_>, lighting: Lighting, factor: f64) -> Option<Place> {
+fn radiance(subject: &MethodUnderTest<'_>, lighting: Lighting, factor: f64) -> Option<Place> {
     if subject.quantity == Quantity::AmbientOcclusion {
         return None;
     }
@@ -143,7 +143,7 @@ fn radiance(subject: &Subject<'_>, lighting: Lighting, factor: f64) -> Option<Pl
 }
 
 /// Points so far from a wall, which face it, face away and look along it.
-fn gap(subject: &Subject<'_>, lighting: Lighting, metres: f64) -> Option<Place> {
+fn gap(subject: &MethodUnderTest<'_>, lighting: Lighting, metres: f64) -> Option<Place> {
     let mut world = world(lighting);
     let x = world.half.x - metres as f32;
     for (i, point) in world.points.iter_mut().enumerate() {
@@ -155,7 +155,7 @@ fn gap(subject: &Subject<'_>, lighting: Lighting, metres: f64) -> Option<Place> 
 }
 
 /// Points so far from the reference point.
-fn from_reference(subject: &Subject<'_>, lighting: Lighting, metres: f64) -> Option<Place> {
+fn from_reference(subject: &MethodUnderTest<'_>, lighting: Lighting, metres: f64) -> Option<Place> {
     let mut world = world(lighting);
     let reference = world.reference;
     for point in &mut world.points {
@@ -167,7 +167,7 @@ fn from_reference(subject: &Subject<'_>, lighting: Lighting, metres: f64) -> Opt
 
 /// Points on a wall where the rays from the reference point through middles, edges and corners of its
 /// texels meet it, for maps of 4² texels a face.
-fn on_texel(subject: &Subject<'_>, lighting: Lighting, which: f64) -> Option<Place> {
+fn on_texel(subject: &MethodUnderTest<'_>, lighting: Lighting, which: f64) -> Option<Place> {
     let mut world = world(lighting);
     let (s, t) = [(0.25, 0.25), (0.5, 0.25), (0.5, 0.5)][which as usize];
     let distance = world.half.x - world.reference.x;
@@ -183,7 +183,7 @@ fn on_texel(subject: &Subject<'_>, lighting: Lighting, which: f64) -> Option<Pla
 }
 
 /// One wall alone, seen by points whose normals have so large a cosine to its axis.
-fn grazing(subject: &Subject<'_>, lighting: Lighting, cosine: f64) -> Option<Place> {
+fn grazing(subject: &MethodUnderTest<'_>, lighting: Lighting, cosine: f64) -> Option<Place> {
     let mut world = world(lighting);
     if lighting != Lighting::Sky {
         world.walls = std::array::from_fn(|i| Vec3::splat(f32::from(u8::from(i == 0))));
@@ -198,7 +198,7 @@ fn grazing(subject: &Subject<'_>, lighting: Lighting, cosine: f64) -> Option<Pla
 }
 
 /// The box with a strip before one wall, so wide.
-fn sliver(subject: &Subject<'_>, lighting: Lighting, metres: f64) -> Option<Place> {
+fn sliver(subject: &MethodUnderTest<'_>, lighting: Lighting, metres: f64) -> Option<Place> {
     let mut place = place(subject, &world(lighting));
     let mesh = &mut place.scene.objects.first_mut()?.mesh;
     let first = mesh.positions.len() as u32;
@@ -217,7 +217,7 @@ fn sliver(subject: &Subject<'_>, lighting: Lighting, metres: f64) -> Option<Plac
 }
 
 /// Every map of so few texels.
-fn texels(subject: &Subject<'_>, lighting: Lighting, side: f64) -> Option<Place> {
+fn texels(subject: &MethodUnderTest<'_>, lighting: Lighting, side: f64) -> Option<Place> {
     let mut place = place(subject, &world(lighting));
     let mut touched = false;
     for (field, value) in place.method.values() {
@@ -230,7 +230,7 @@ fn texels(subject: &Subject<'_>, lighting: Lighting, side: f64) -> Option<Place>
     touched.then_some(place)
 }
 
-fn shininess(subject: &Subject<'_>, lighting: Lighting, exponent: f64) -> Option<Place> {
+fn shininess(subject: &MethodUnderTest<'_>, lighting: Lighting, exponent: f64) -> Option<Place> {
     let mut world = world(lighting);
     for point in &mut world.points {
         point.material.shininess = exponent as f32;
@@ -238,7 +238,7 @@ fn shininess(subject: &Subject<'_>, lighting: Lighting, exponent: f64) -> Option
     (subject.quantity == Quantity::GlossyRadiance).then(|| place(subject, &world))
 }
 
-fn normal_length(subject: &Subject<'_>, lighting: Lighting, length: f64) -> Option<Place> {
+fn normal_length(subject: &MethodUnderTest<'_>, lighting: Lighting, length: f64) -> Option<Place> {
     let mut world = world(lighting);
     for point in &mut world.points {
         point.normal *= length as f32;
@@ -247,7 +247,7 @@ fn normal_length(subject: &Subject<'_>, lighting: Lighting, length: f64) -> Opti
 }
 
 /// No number in a mesh, a radiance, a sky, a point.
-fn no_number(subject: &Subject<'_>, lighting: Lighting, which: f64) -> Option<Place> {
+fn no_number(subject: &MethodUnderTest<'_>, lighting: Lighting, which: f64) -> Option<Place> {
     let mut place = place(subject, &world(lighting));
     match which as u32 {
         0 => place.scene.objects.first_mut()?.mesh.positions[2].y = f32::NAN,

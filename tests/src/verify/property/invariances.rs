@@ -1,7 +1,7 @@
 //! What must not change an estimate.
 
 use super::{Property, Slack, Worst};
-use crate::verify::{Lighting, Placement, Subject, VerifyError, World};
+use crate::verify::{Lighting, MethodUnderTest, Placement, VerifyError, World};
 use glam::{Mat3, Vec3};
 use interreflect_estimators::Claim;
 
@@ -61,7 +61,7 @@ pub(super) fn all() -> [Property; 5] {
 }
 
 fn placed(
-    subject: &Subject<'_>,
+    subject: &MethodUnderTest<'_>,
     world: &World,
     placements: &[Placement],
 ) -> Result<Worst, VerifyError> {
@@ -81,7 +81,7 @@ fn placed(
     Ok(worst)
 }
 
-fn scale_invariant(subject: &Subject<'_>, world: &World) -> Result<Worst, VerifyError> {
+fn scale_invariant(subject: &MethodUnderTest<'_>, world: &World) -> Result<Worst, VerifyError> {
     let scaled = |k: f32| Placement {
         linear: Mat3::from_diagonal(Vec3::splat(k)),
         shift: Vec3::ZERO,
@@ -89,7 +89,10 @@ fn scale_invariant(subject: &Subject<'_>, world: &World) -> Result<Worst, Verify
     placed(subject, world, &[scaled(0.037), scaled(29.0)])
 }
 
-fn translation_invariant(subject: &Subject<'_>, world: &World) -> Result<Worst, VerifyError> {
+fn translation_invariant(
+    subject: &MethodUnderTest<'_>,
+    world: &World,
+) -> Result<Worst, VerifyError> {
     let shifted = Placement {
         linear: Mat3::IDENTITY,
         shift: Vec3::new(3.1, -2.3, 1.7),
@@ -98,7 +101,7 @@ fn translation_invariant(subject: &Subject<'_>, world: &World) -> Result<Worst, 
 }
 
 /// A mirror and a swap of axes: together they make all 48 symmetries.
-fn cube_symmetric(subject: &Subject<'_>, world: &World) -> Result<Worst, VerifyError> {
+fn cube_symmetric(subject: &MethodUnderTest<'_>, world: &World) -> Result<Worst, VerifyError> {
     let mirrored = Mat3::from_diagonal(Vec3::new(-1.0, 1.0, 1.0));
     let swapped = Mat3::from_cols(Vec3::Y, Vec3::X, Vec3::Z);
     let turned = Mat3::from_cols(Vec3::Y, Vec3::Z, Vec3::X);
@@ -110,7 +113,7 @@ fn cube_symmetric(subject: &Subject<'_>, world: &World) -> Result<Worst, VerifyE
 }
 
 /// All points moved to the place of the first.
-fn position_invariant(subject: &Subject<'_>, world: &World) -> Result<Worst, VerifyError> {
+fn position_invariant(subject: &MethodUnderTest<'_>, world: &World) -> Result<Worst, VerifyError> {
     let mut together = world.clone();
     let place = together.points[0].position + Vec3::new(0.11, -0.07, 0.05);
     together.points.iter_mut().for_each(|p| p.position = place);
@@ -122,7 +125,7 @@ fn position_invariant(subject: &Subject<'_>, world: &World) -> Result<Worst, Ver
 
 /// Points at the reference point of a box, and of one whose walls stand at other distances along the
 /// same rays.
-fn distance_free(subject: &Subject<'_>, world: &World) -> Result<Worst, VerifyError> {
+fn distance_free(subject: &MethodUnderTest<'_>, world: &World) -> Result<Worst, VerifyError> {
     let mut near = world.clone();
     for point in &mut near.points {
         point.position = world.reference;

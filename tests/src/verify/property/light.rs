@@ -1,7 +1,7 @@
 //! What more, less or other light must do.
 
 use super::{Property, Slack, Worst, apart};
-use crate::verify::{Lighting, Subject, VerifyError, World};
+use crate::verify::{Lighting, MethodUnderTest, VerifyError, World};
 use glam::Vec3;
 use interreflect_estimators::{Claim, Quantity};
 use interreflect_scene::conventions::cube_frame;
@@ -69,20 +69,20 @@ fn no_light(quantity: Quantity) -> Option<&'static str> {
     (quantity == Quantity::AmbientOcclusion).then_some("openness knows no light")
 }
 
-fn non_negative(subject: &Subject<'_>, world: &World) -> Result<Worst, VerifyError> {
+fn non_negative(subject: &MethodUnderTest<'_>, world: &World) -> Result<Worst, VerifyError> {
     let estimate = subject.estimate(world)?;
     let below = estimate.iter().map(|v| f64::from(-v.min_element()));
     Ok(Worst::of(below, world.greatest(subject.quantity)))
 }
 
-fn bounded(subject: &Subject<'_>, world: &World) -> Result<Worst, VerifyError> {
+fn bounded(subject: &MethodUnderTest<'_>, world: &World) -> Result<Worst, VerifyError> {
     let estimate = subject.estimate(world)?;
     let values = estimate.iter().map(|v| f64::from(v.max_element()));
     Ok(Worst::of(values, world.greatest(subject.quantity)))
 }
 
 /// Half of one light and half of another, against the mean of their estimates.
-fn linear(subject: &Subject<'_>, world: &World) -> Result<Worst, VerifyError> {
+fn linear(subject: &MethodUnderTest<'_>, world: &World) -> Result<Worst, VerifyError> {
     let mut other = world.clone();
     match world.lighting {
         Lighting::Sky => other.sky = Vec3::new(-world.sky.y, world.sky.z, 0.5 * world.sky.x),
@@ -105,7 +105,7 @@ fn linear(subject: &Subject<'_>, world: &World) -> Result<Worst, VerifyError> {
 }
 
 /// Each wall alone, seen by points that face away from it.
-fn dark_from_behind(subject: &Subject<'_>, world: &World) -> Result<Worst, VerifyError> {
+fn dark_from_behind(subject: &MethodUnderTest<'_>, world: &World) -> Result<Worst, VerifyError> {
     let mut worst = Worst::default();
     for face in 0..world.walls.len() {
         let mut alone = world.clone();
@@ -123,7 +123,10 @@ fn dark_from_behind(subject: &Subject<'_>, world: &World) -> Result<Worst, Verif
 }
 
 /// Half of the walls, then all.
-fn monotone_in_occluders(subject: &Subject<'_>, world: &World) -> Result<Worst, VerifyError> {
+fn monotone_in_occluders(
+    subject: &MethodUnderTest<'_>,
+    world: &World,
+) -> Result<Worst, VerifyError> {
     let all = World {
         specks: true,
         ..world.clone()

@@ -1,7 +1,7 @@
 //! What points and channels have to do with each other: nothing.
 
 use super::{Broken, Outcome, Rule, Where, same_bits};
-use crate::verify::{Lighting, Nothing, Rig, Subject, World};
+use crate::verify::{Lighting, MethodUnderTest, Nothing, TestBackend, World};
 use glam::Vec3;
 use interreflect_cpu::tiles::{Arithmetic, CpuCx, InstructionSet};
 use interreflect_estimators::Quantity;
@@ -57,7 +57,7 @@ fn compare(broken: &mut Broken, a: &Estimate, b: impl Iterator<Item = Vec3>, wha
     }
 }
 
-fn point_order(subject: &Subject<'_>, scene: &Scene, points: &Points) -> Outcome {
+fn point_order(subject: &MethodUnderTest<'_>, scene: &Scene, points: &Points) -> Outcome {
     let needs = subject.method.needs(subject.quantity, &scene.facts())?;
     if needs.light_transport {
         let why = "samples of light transport are drawn by a point's place in the list";
@@ -75,7 +75,7 @@ fn point_order(subject: &Subject<'_>, scene: &Scene, points: &Points) -> Outcome
 }
 
 /// Shorter lists, which end within a group of lanes, at its end and behind it.
-fn points_alone(subject: &Subject<'_>, scene: &Scene, points: &Points) -> Outcome {
+fn points_alone(subject: &MethodUnderTest<'_>, scene: &Scene, points: &Points) -> Outcome {
     let counts = [points.len(), 1, 17, 63, 64, 65, 129];
     let first = |count| Points::new(points.layout(), points.iter().take(count));
     let lists = counts.map(first);
@@ -88,7 +88,7 @@ fn points_alone(subject: &Subject<'_>, scene: &Scene, points: &Points) -> Outcom
     Ok(broken)
 }
 
-fn no_surface(subject: &Subject<'_>, scene: &Scene, points: &Points) -> Outcome {
+fn no_surface(subject: &MethodUnderTest<'_>, scene: &Scene, points: &Points) -> Outcome {
     let some = points.iter().enumerate();
     let some = some.map(|(i, p)| p.filter(|_| i % 7 != 3));
     let holed = Points::new(points.layout(), some);
@@ -103,8 +103,12 @@ fn no_surface(subject: &Subject<'_>, scene: &Scene, points: &Points) -> Outcome 
     Ok(broken)
 }
 
-fn threads_and_instructions(subject: &Subject<'_>, scene: &Scene, points: &Points) -> Outcome {
-    if matches!(subject.rig, Rig::Gpu(..)) {
+fn threads_and_instructions(
+    subject: &MethodUnderTest<'_>,
+    scene: &Scene,
+    points: &Points,
+) -> Outcome {
+    if matches!(subject.backend, TestBackend::Gpu(..)) {
         return Err(Nothing::NotApplicable("a device has neither".into()));
     }
     let lists = std::slice::from_ref(points);
@@ -114,8 +118,8 @@ fn threads_and_instructions(subject: &Subject<'_>, scene: &Scene, points: &Point
         for threads in [1, 2] {
             let cx = CpuCx::new(Some(threads), Some(*set));
             let cx = cx.map_err(|e| Nothing::NotApplicable(e.to_string()))?;
-            let of = Subject {
-                rig: Rig::Cpu(&cx),
+            let of = MethodUnderTest {
+                backend: TestBackend::Cpu(&cx),
                 case: None,
                 ..*subject
             };
@@ -124,10 +128,10 @@ fn threads_and_instructions(subject: &Subject<'_>, scene: &Scene, points: &Point
             compare(&mut broken, &first[0], again[0].iter(), &what);
         }
     }
-    if let Rig::Cpu(cx) = subject.rig {
+    if let TestBackend::Cpu(cx) = subject.backend {
         let scalar = cx.with_arithmetic(Arithmetic::Scalar);
-        let of = Subject {
-            rig: Rig::Cpu(&scalar),
+        let of = MethodUnderTest {
+            backend: TestBackend::Cpu(&scalar),
             case: None,
             ..*subject
         };
@@ -138,7 +142,7 @@ fn threads_and_instructions(subject: &Subject<'_>, scene: &Scene, points: &Point
 }
 
 /// Walls of three colours against three runs with grey ones.
-fn channels(subject: &Subject<'_>, mut world: World) -> Outcome {
+fn channels(subject: &MethodUnderTest<'_>, mut world: World) -> Outcome {
     if world.lighting == Lighting::Sky {
         return Err(Nothing::NotApplicable("its walls have no colour".into()));
     }
@@ -169,7 +173,7 @@ fn channels(subject: &Subject<'_>, mut world: World) -> Outcome {
     Ok(broken)
 }
 
-fn dark(subject: &Subject<'_>, world: World) -> Outcome {
+fn dark(subject: &MethodUnderTest<'_>, world: World) -> Outcome {
     if subject.quantity == Quantity::AmbientOcclusion {
         return Err(Nothing::NotApplicable("openness knows no light".into()));
     }

@@ -12,7 +12,7 @@ const METHODS: [&str; 2] = ["sh_mip_envmap", "phong_envmap"];
 
 /// The factor at these cosines between normal and viewer.
 fn factors<S: Feed>(
-    stage: &S,
+    loaded: &S,
     method: &str,
     f_lambda: &str,
     cosines: &[f32],
@@ -31,15 +31,15 @@ fn factors<S: Feed>(
     // Few texels are enough for radiance that is the same everywhere.
     let settings = [("f_lambda", f_lambda), ("resolution", "8")];
     let quantity = Quantity::GlossyRadiance;
-    let estimate = under(stage, &image, (method, &settings), quantity, &points)?;
+    let estimate = under(loaded, &image, (method, &settings), quantity, &points)?;
     Ok(estimate.iter().map(|v| v.x).collect())
 }
 
-pub(super) fn schlick_grows_towards_grazing_angles<S: Feed>(stage: &S) -> Outcome {
+pub(super) fn schlick_grows_towards_grazing_angles<S: Feed>(loaded: &S) -> Outcome {
     let cosines: Vec<f32> = (0..=50).map(|i| 1.0 - i as f32 / 50.0).collect();
     for method in METHODS {
         for f_lambda in ["0", "0.04", "0.7", "1"] {
-            let factors = factors(stage, method, f_lambda, &cosines)?;
+            let factors = factors(loaded, method, f_lambda, &cosines)?;
             let normal: f32 = f_lambda.parse()?;
             // Roundings of the filtered constant and of the factor.
             let at = |value: f32, expected: f32| (value - expected).abs() < 2e-6;
@@ -53,7 +53,7 @@ pub(super) fn schlick_grows_towards_grazing_angles<S: Feed>(stage: &S) -> Outcom
             ensure!(grows, "{method}, f = {f_lambda}: {factors:?}");
         }
         // From behind an interpolated normal the factor stays that of a grazing view.
-        let behind = factors(stage, method, "0.2", &[-0.3])?;
+        let behind = factors(loaded, method, "0.2", &[-0.3])?;
         ensure!(
             (behind[0] - 1.0).abs() < 2e-6,
             "{method}: {behind:?} behind"
@@ -63,14 +63,14 @@ pub(super) fn schlick_grows_towards_grazing_angles<S: Feed>(stage: &S) -> Outcom
 }
 
 /// 2∫F·c dc = f + (1 − f)/21.
-pub(super) fn schlick_averages_to_its_integral<S: Feed>(stage: &S) -> Outcome {
+pub(super) fn schlick_averages_to_its_integral<S: Feed>(loaded: &S) -> Outcome {
     let count = 1000;
     let cosines: Vec<f32> = (0..count)
         .map(|i| (i as f32 + 0.5) / count as f32)
         .collect();
     for method in METHODS {
         for (f_lambda, f) in [("0", 0.0), ("0.2", 0.2)] {
-            let factors = factors(stage, method, f_lambda, &cosines)?;
+            let factors = factors(loaded, method, f_lambda, &cosines)?;
             let terms = factors.iter().zip(&cosines);
             let sum: f64 = terms.map(|(f, c)| f64::from(*f) * f64::from(*c)).sum();
             let mean = 2.0 * sum / f64::from(count);

@@ -13,18 +13,18 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Irradiance under an environment at points with these normals.
 fn irradiance<S: Feed>(
-    stage: &S,
+    loaded: &S,
     image: &CubeImage,
     settings: &[(&str, &str)],
     normals: &[DVec3],
 ) -> Result<Vec<f64>, Failed> {
     let points = mirrors(normals.iter().copied());
     let method = ("sh_mip_envmap", settings);
-    let estimate = under(stage, image, method, Quantity::Irradiance, &points)?;
+    let estimate = under(loaded, image, method, Quantity::Irradiance, &points)?;
     Ok(estimate.iter().map(|v| f64::from(v.x)).collect())
 }
 
-pub(super) fn constant_environment_gives_pi<S: Feed>(stage: &S) -> Outcome {
+pub(super) fn constant_environment_gives_pi<S: Feed>(loaded: &S) -> Outcome {
     let image = environment(64, |_| Vec3::ONE);
     let normals: Vec<DVec3> = sphere(200).collect();
     let rounding = Tolerance {
@@ -34,7 +34,7 @@ pub(super) fn constant_environment_gives_pi<S: Feed>(stage: &S) -> Outcome {
     };
     for fidelity in ["published", "corrected"] {
         let settings = [("fidelity", fidelity)];
-        for value in irradiance(stage, &image, &settings, &normals)? {
+        for value in irradiance(loaded, &image, &settings, &normals)? {
             rounding
                 .check(value, PI)
                 .map_err(|e| format!("{fidelity}: {e}"))?;
@@ -45,12 +45,12 @@ pub(super) fn constant_environment_gives_pi<S: Feed>(stage: &S) -> Outcome {
 
 /// E = π/2·(1 + c) under a sky of radiance 1 above y = 0: Y at the texels' centres errs by what a
 /// midpoint rule does, a quarter for half the width; the integrals over texels are exact here.
-pub(super) fn hemispherical_sky_falls_with_the_texels<S: Feed>(stage: &S) -> Outcome {
+pub(super) fn hemispherical_sky_falls_with_the_texels<S: Feed>(loaded: &S) -> Outcome {
     let image = environment(64, |d| Vec3::splat(if d.y > 0.0 { 1.0 } else { 0.0 }));
     let normals: Vec<DVec3> = sphere(400).chain([DVec3::Y, DVec3::NEG_Y]).collect();
     let error = |fidelity, size| -> Result<f64, Failed> {
         let settings = [("fidelity", fidelity), ("sh_resolution", size)];
-        let values = irradiance(stage, &image, &settings, &normals)?;
+        let values = irradiance(loaded, &image, &settings, &normals)?;
         let errors = values.iter().zip(&normals);
         Ok(errors
             .map(|(e, n)| (e - FRAC_PI_2 * (1.0 + n.y)).abs())
@@ -94,7 +94,7 @@ fn turned_from(light: DVec3) -> Vec<(f64, DVec3)> {
 /// One bright texel of 64², 1/30 rad wide, so that what its width smears is (1/30)²/24 in the band
 /// 1 and three times that in the band 2: E/E₀ = ¼ + ½c + 5/32(3c² − 1), its minimum −19/480 at
 /// c = −8/15. The window leaves 1, 3/4 and 1/4 of the bands.
-pub(super) fn delta_light_shows_the_bands<S: Feed>(stage: &S) -> Outcome {
+pub(super) fn delta_light_shows_the_bands<S: Feed>(loaded: &S) -> Outcome {
     let bands = |c: f64, [b0, b1, b2]: [f64; 3]| {
         b0 * 0.25 + b1 * 0.5 * c + b2 * 5.0 / 32.0 * (3.0 * c * c - 1.0)
     };
@@ -112,7 +112,7 @@ pub(super) fn delta_light_shows_the_bands<S: Feed>(stage: &S) -> Outcome {
                     ("window", window),
                     ("sh_resolution", "64"),
                 ];
-                let values = irradiance(stage, &image, &settings, &normals)?;
+                let values = irradiance(loaded, &image, &settings, &normals)?;
                 for ((c, _), value) in turned.iter().zip(&values) {
                     let expected = bands(*c, factors);
                     ensure!(

@@ -33,7 +33,7 @@ fn mean(size: u32, values: &[Vec3], by_solid_angle: bool) -> DVec3 {
 
 /// Along a texel's centre a lookup gives the texel: every level has the environment's mean,
 /// `published` over the texels, `corrected` over the sphere.
-pub(super) fn pyramid_keeps_the_mean<S: Feed>(stage: &S) -> Outcome {
+pub(super) fn pyramid_keeps_the_mean<S: Feed>(loaded: &S) -> Outcome {
     let image = noise(64);
     for (fidelity, by_solid_angle) in [("published", false), ("corrected", true)] {
         let expected = mean(64, &image.radiance, by_solid_angle);
@@ -42,7 +42,7 @@ pub(super) fn pyramid_keeps_the_mean<S: Feed>(stage: &S) -> Outcome {
             let lod = level.to_string();
             let settings = [("fidelity", fidelity), ("resolution", "32"), ("lod", &lod)];
             let directions = texels(size).map(|texel| centre(size, texel));
-            let values = filtered(stage, &image, &settings, directions)?;
+            let values = filtered(loaded, &image, &settings, directions)?;
             let found = mean(size, &values, by_solid_angle);
             // Float32 means of four, five times; a direction off a texel's centre by rounding
             // takes 1e-6 of the next texel, of either sign.
@@ -55,7 +55,7 @@ pub(super) fn pyramid_keeps_the_mean<S: Feed>(stage: &S) -> Outcome {
     Ok(())
 }
 
-pub(super) fn lookups_stay_between_the_extremes<S: Feed>(stage: &S) -> Outcome {
+pub(super) fn lookups_stay_between_the_extremes<S: Feed>(loaded: &S) -> Outcome {
     let image = noise(64);
     let (low, high) = (image.radiance.iter()).fold((Vec3::ONE, Vec3::ZERO), |(low, high), v| {
         (low.min(*v), high.max(*v))
@@ -63,7 +63,7 @@ pub(super) fn lookups_stay_between_the_extremes<S: Feed>(stage: &S) -> Outcome {
     for fidelity in ["published", "corrected"] {
         for lod in ["-1", "0", "0.5", "2.3", "4", "6", "9.4"] {
             let settings = [("fidelity", fidelity), ("lod", lod)];
-            for value in filtered(stage, &image, &settings, sphere(3000))? {
+            for value in filtered(loaded, &image, &settings, sphere(3000))? {
                 let inside = (value - low)
                     .min_element()
                     .min((high - value).min_element());
@@ -93,13 +93,13 @@ fn across_edges() -> impl Iterator<Item = DVec3> {
 /// Across an edge of the cube a lookup in `published` steps by about a texel's contrast: Figure
 /// 4's seams. In `corrected` it goes on: what is left is the change over 2e-5 of a face's half
 /// edge, 1e-5·size of a texel, of a contrast below 3.
-pub(super) fn seams_are_of_published_alone<S: Feed>(stage: &S) -> Outcome {
+pub(super) fn seams_are_of_published_alone<S: Feed>(loaded: &S) -> Outcome {
     let image = environment(64, lobes);
     for level in 1..=6_u32 {
         let step = |fidelity: &str| {
             let lod = level.to_string();
             let settings = [("fidelity", fidelity), ("lod", &*lod)];
-            let values = filtered(stage, &image, &settings, across_edges())?;
+            let values = filtered(loaded, &image, &settings, across_edges())?;
             let steps = values
                 .chunks_exact(2)
                 .map(|v| (v[0] - v[1]).abs().max_element());
@@ -125,17 +125,17 @@ pub(super) fn seams_are_of_published_alone<S: Feed>(stage: &S) -> Outcome {
 /// E[1 − cos] = 1/(N+2) for the lobe of N = 225 is met by a box of K/2^m = √(N/3) = 8.7 texels
 /// along an edge, level 2.9 of 64. In a smooth environment the two differ by less than a twentieth
 /// in the relative root mean square, and more a level further up.
-pub(super) fn matched_level_is_near_the_phong_lobe<S: Feed>(stage: &S) -> Outcome {
+pub(super) fn matched_level_is_near_the_phong_lobe<S: Feed>(loaded: &S) -> Outcome {
     let image = environment(64, lobes);
     let points = mirrors(sphere(4000));
     let phong = (
         "phong_envmap",
         &[("f_lambda", "1"), ("exponent", "225")][..],
     );
-    let phong = under(stage, &image, phong, Quantity::GlossyRadiance, &points)?;
+    let phong = under(loaded, &image, phong, Quantity::GlossyRadiance, &points)?;
     let apart = |fidelity: &str, lod: &str| {
         let settings = [("fidelity", fidelity), ("lod", lod)];
-        let values = filtered(stage, &image, &settings, sphere(4000))?;
+        let values = filtered(loaded, &image, &settings, sphere(4000))?;
         let (mut difference, mut whole) = (0.0, 0.0);
         for (value, phong) in values.iter().zip(phong.iter()) {
             difference += (*value - phong).as_dvec3().length_squared();

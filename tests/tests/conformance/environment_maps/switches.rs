@@ -26,16 +26,22 @@ fn matte() -> Vec<Point> {
 }
 
 fn run<S: Feed>(
-    stage: &S,
+    loaded: &S,
     settings: &[(&str, &str)],
     quantity: Quantity,
     points: &[Point],
 ) -> Result<Estimate, Failed> {
     let image = environment(64, lobes);
-    under(stage, &image, ("sh_mip_envmap", settings), quantity, points)
+    under(
+        loaded,
+        &image,
+        ("sh_mip_envmap", settings),
+        quantity,
+        points,
+    )
 }
 
-pub(super) fn settings_change_what_they_should<S: Feed>(stage: &S) -> Outcome {
+pub(super) fn settings_change_what_they_should<S: Feed>(loaded: &S) -> Outcome {
     // Each setting with what it changes: irradiance (and with it matte points), and lobes.
     for (settings, harmonics, lobes) in [
         ([("fidelity", "corrected")], true, true),
@@ -46,8 +52,8 @@ pub(super) fn settings_change_what_they_should<S: Feed>(stage: &S) -> Outcome {
         ([("f_lambda", "0.5")], false, true),
     ] {
         let changes = |quantity, points: &[Point]| {
-            let before = run(stage, &[], quantity, points)?;
-            Ok::<_, Failed>(before != run(stage, &settings, quantity, points)?)
+            let before = run(loaded, &[], quantity, points)?;
+            Ok::<_, Failed>(before != run(loaded, &settings, quantity, points)?)
         };
         ensure!(
             changes(IRRADIANCE, &shiny())? == harmonics,
@@ -72,7 +78,7 @@ pub(super) fn settings_change_what_they_should<S: Feed>(stage: &S) -> Outcome {
 
 /// A mirrored direction that turns by 2^k texels of the base, 2/64 rad each, is looked up at level
 /// k plus the bias; one that is not known at the finest.
-pub(super) fn bias_takes_the_level_from_the_footprint<S: Feed>(stage: &S) -> Outcome {
+pub(super) fn bias_takes_the_level_from_the_footprint<S: Feed>(loaded: &S) -> Outcome {
     for (footprint, bias, level) in [
         (2.0 / 64.0, "2", "2"),
         (8.0 / 64.0, "0", "2"),
@@ -85,13 +91,13 @@ pub(super) fn bias_takes_the_level_from_the_footprint<S: Feed>(stage: &S) -> Out
         points.iter_mut().for_each(|p| p.footprint = footprint);
         points[0].footprint = 0.0;
         let biased = run(
-            stage,
+            loaded,
             &[("lod_mode", "bias"), ("lod", bias)],
             GLOSSY,
             &points,
         )?;
-        let absolute = run(stage, &[("lod", level)], GLOSSY, &points)?;
-        let finest = run(stage, &[("lod", "0")], GLOSSY, &points)?;
+        let absolute = run(loaded, &[("lod", level)], GLOSSY, &points)?;
+        let finest = run(loaded, &[("lod", "0")], GLOSSY, &points)?;
         for i in 0..points.len() {
             let expected = if i == 0 { &finest } else { &absolute };
             let apart = (biased.get(i) - expected.get(i)).abs().max_element();
@@ -106,9 +112,9 @@ pub(super) fn bias_takes_the_level_from_the_footprint<S: Feed>(stage: &S) -> Out
 }
 
 /// Points that are no pixels have no level with a bias; where no level is needed that is no matter.
-pub(super) fn bias_needs_a_footprint<S: Feed>(stage: &S) -> Outcome {
+pub(super) fn bias_needs_a_footprint<S: Feed>(loaded: &S) -> Outcome {
     let bias = [("lod_mode", "bias")];
-    let refused = run(stage, &bias, GLOSSY, &shiny());
+    let refused = run(loaded, &bias, GLOSSY, &shiny());
     let Err(reason) = refused else {
         return Err("levels were taken from nothing".into());
     };
@@ -118,9 +124,9 @@ pub(super) fn bias_needs_a_footprint<S: Feed>(stage: &S) -> Outcome {
         "no remedy in: {reason}"
     );
     for (quantity, points) in [(IRRADIANCE, shiny()), (GLOSSY, matte())] {
-        let biased = run(stage, &bias, quantity, &points)?;
+        let biased = run(loaded, &bias, quantity, &points)?;
         ensure!(
-            biased == run(stage, &[], quantity, &points)?,
+            biased == run(loaded, &[], quantity, &points)?,
             "{}: lod_mode changes what has no level",
             quantity.name()
         );

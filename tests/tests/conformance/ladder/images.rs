@@ -4,7 +4,7 @@ use super::{CAPTURED, OF_A_TERM, sum_of, texels};
 use crate::ensure;
 use crate::parity::captures_apart;
 use crate::subjects::{SUBJECTS, Subject};
-use crate::world::{Outcome, Variant, captures, cpu_stage, gpu_stage, ignored, on_gpu, variants};
+use crate::world::{Outcome, Variant, captures, cpu_scene, gpu_scene, ignored, on_gpu, variants};
 use glam::Vec3;
 use interreflect::clock::Sampling;
 use interreflect::measure::measure;
@@ -12,7 +12,7 @@ use interreflect::output::HdrImage;
 use interreflect::view::View;
 use interreflect_conformance::exchange::downloaded;
 use interreflect_estimators::Quantity;
-use interreflect_estimators::stage::{CpuStage, GpuStage, Stage};
+use interreflect_estimators::execution::{BackendScene, CpuLoadedScene, GpuLoadedScene};
 use interreflect_gpu::GpuContext;
 use interreflect_scene::Camera;
 use libtest_mimic::{Failed, Trial};
@@ -42,10 +42,10 @@ fn same_image(context: &Arc<GpuContext>, subject: &'static Subject, variant: &Va
         ..subject.cpu.scene().camera
     };
     let view = View::new(&subject.cpu, &camera)?;
-    let (cpu, gpu) = (cpu_stage(subject), gpu_stage(context, subject)?);
-    let by_cpu = image(&cpu, subject, variant, &view)?;
-    let by_gpu = image(&gpu, subject, variant, &view)?;
-    let bound = Bound::of(variant, &cpu, (&gpu, context), subject)?;
+    let (cpu, gpu) = (cpu_scene(subject), gpu_scene(context, subject)?);
+    let by_cpu = image(&cpu, variant, &view)?;
+    let by_gpu = image(&gpu, variant, &view)?;
+    let bound = Bound::of(variant, &cpu, (&gpu, context))?;
     let of_pixel = |pixel: &Vec3| f64::from(pixel.abs().max_element());
     let pixels = by_cpu.pixels.iter().map(of_pixel);
     let (brightest, total) = pixels.fold((0.0, 0.0), |(m, s), v| (f64::max(m, v), s + v));
@@ -88,11 +88,10 @@ struct Bound {
 impl Bound {
     fn of(
         variant: &Variant,
-        cpu: &CpuStage<'static>,
-        (gpu, context): (&GpuStage<'_>, &GpuContext),
-        subject: &Subject,
+        cpu: &CpuLoadedScene,
+        (gpu, context): (&GpuLoadedScene, &GpuContext),
     ) -> Result<Self, Failed> {
-        let by_cpu = captures(cpu, subject, variant)?;
+        let by_cpu = captures(cpu, variant)?;
         if !by_cpu.depths.is_empty() {
             // Of the directions of a pixel 1e-4 each lie along a rasterised silhouette; one that is seen
             // otherwise counts four shares of all, and four of them are the most that a pixel has.
@@ -103,7 +102,7 @@ impl Bound {
                 cause: "silhouettes in depth maps",
             });
         }
-        let by_gpu = downloaded(context, &captures(gpu, subject, variant)?)?;
+        let by_gpu = downloaded(context, &*captures(gpu, variant)?)?;
         let rounding = sum_of(texels(&by_cpu), OF_A_TERM);
         Ok(Self {
             largest: rounding,
@@ -114,17 +113,10 @@ impl Bound {
     }
 }
 
-fn image<S: Stage>(
-    stage: &S,
-    subject: &Subject,
-    variant: &Variant,
-    view: &View,
-) -> Result<HdrImage, Failed> {
+fn image<S: BackendScene>(loaded: &S, variant: &Variant, view: &View) -> Result<HdrImage, Failed> {
     let points = view.points(variant.quantity.layout());
-    let scene = subject.cpu.scene();
     let measured = measure(
-        stage,
-        scene,
+        loaded,
         &*variant.method,
         variant.quantity,
         &points,

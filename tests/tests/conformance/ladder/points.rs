@@ -4,18 +4,18 @@ use super::{CAPTURED, OF_A_TERM, sum_of, texels};
 use crate::ensure;
 use crate::subjects::{SUBJECTS, Subject, same_bits};
 use crate::world::{
-    CPU, Outcome, Variant, captures, cpu_stage, estimate, gpu_stage, ignored, on_gpu, switched,
-    variants,
+    Outcome, Variant, captures, cpu_scene, estimate, gpu_scene, ignored, on_gpu, switched, variants,
 };
 use interreflect_conformance::exchange::uploaded;
 use interreflect_conformance::tolerance::Tolerance;
 use interreflect_cpu::tiles::Arithmetic;
 use interreflect_estimators::directional_ao::DIRECTIONS;
-use interreflect_estimators::{Captures, Changed, Cpu, Inputs, Quantity};
+use interreflect_estimators::{Captures, Changed, Cpu, Quantity};
 use interreflect_gpu::GpuContext;
 use interreflect_scene::params::Value;
 use interreflect_scene::{Estimate, Points};
 use libtest_mimic::{Failed, Trial};
+use std::rc::Rc;
 use std::sync::{Arc, LazyLock};
 
 pub(crate) fn trials() -> Vec<Trial> {
@@ -51,16 +51,16 @@ const LOBE: f64 = 1e-5;
 
 fn climb(context: &Arc<GpuContext>, subject: &'static Subject, variant: &Variant) -> Outcome {
     let points = subject.points(variant.quantity.layout());
-    let captured = captures(&cpu_stage(subject), subject, variant)?;
+    let captured = captures(&cpu_scene(subject), variant)?;
     let [exact, scalar, lanes] = in_each_arithmetic(subject, variant, &captured, &points)?;
     let to_scalar = climbed(&exact, &scalar, &shading(variant))
         .map_err(|e| format!("float64 to scalar: {e}"))?;
     same_bits(&scalar, lanes.iter()).map_err(|e| format!("scalar to lanes: {e}"))?;
     let to_device = match captured.depths.is_empty() {
         true => {
-            let given = uploaded(context, &captured)?;
-            let gpu = gpu_stage(context, subject)?;
-            let on_device = estimate(&gpu, subject, variant, &given, &points)?;
+            let given = Rc::new(uploaded(context, &captured)?);
+            let gpu = gpu_scene(context, subject)?;
+            let on_device = estimate(&gpu, variant, &given, &points)?;
             let largest = climbed(&exact, &on_device, &prepared(variant, &captured))
                 .map_err(|e| format!("float64 to device: {e}"))?;
             format!("{largest:.1e}")
@@ -79,20 +79,20 @@ fn climb(context: &Arc<GpuContext>, subject: &'static Subject, variant: &Variant
 fn in_each_arithmetic(
     subject: &'static Subject,
     variant: &Variant,
-    captures: &Captures<Cpu>,
+    captures: &Rc<Captures<Cpu>>,
     points: &Points,
 ) -> Result<[Estimate; 3], Failed> {
-    let (scene, quantity) = (subject.cpu.scene(), variant.quantity);
-    let needs = variant.method.needs(quantity, &scene.facts())?;
-    let origin = (scene.facts(), scene.capture_origin(needs.keep_within_m));
-    let inputs = Inputs::new(&needs, captures, points, points, origin, Changed::ALL);
-    let mut session = variant.method.on_cpu()?;
-    let mut out = Estimate::new(points.len());
-    session.prepare(&mut &*CPU, quantity, &inputs, &out)?;
+    let loaded = cpu_scene(subject);
+    let mut executor = variant.executor(&loaded, points)?;
+    executor.set_captures(captures.clone());
+    executor.prepare(Changed::ALL)?;
     let mut shade = |arithmetic| {
-        let cx = CPU.with_arithmetic(arithmetic);
-        session.shade(&mut &cx, quantity, &inputs, &mut out)?;
-        Ok::<_, Failed>(out.clone())
+        executor.phase("shade", Changed::NOTHING, |session, frame| {
+            *frame.cx = frame.cx.with_arithmetic(arithmetic);
+            let prepared = session.prepared();
+            prepared.map_or(Ok(()), |prepared| prepared.shade(frame))
+        })?;
+        Ok::<_, Failed>(executor.read_back()?.0)
     };
     Ok([
         shade(Arithmetic::Float64)?,

@@ -3,12 +3,12 @@
 use crate::ensure;
 use crate::parity_views::views_apart;
 use crate::subjects::{SUBJECTS, Subject, room};
-use crate::world::{Outcome, cpu_stage, on_both, on_gpu};
+use crate::world::{Outcome, cpu_scene, on_both, on_gpu};
 use glam::Vec3;
 use interreflect_conformance::tolerance::Tolerance;
 use interreflect_cpu::capture::light_view::capture_light_views as by_rays;
 use interreflect_cpu::scene::CpuScene;
-use interreflect_estimators::stage::Stage;
+use interreflect_estimators::execution::BackendScene;
 use interreflect_gpu::{GpuContext, GpuScene, capture_light_views};
 use interreflect_scene::light_view::MAX_MIRRORS;
 use interreflect_scene::shapes;
@@ -102,7 +102,7 @@ static MIRRORED_LIGHT: LazyLock<Subject> =
     LazyLock::new(|| before_the_wall(Vec::new(), spot(2.0, Vec3::NEG_X, INTENSITY * REFLECTANCE)));
 
 /// A mirror counts what the light behind it would; with one sample that is computed by hand.
-fn plane_mirror<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
+fn plane_mirror<S: BackendScene>(loaded: &S, subject: &Subject) -> Outcome {
     let rounding = Tolerance {
         absolute: 1e-7,
         relative: 1e-5,
@@ -116,15 +116,15 @@ fn plane_mirror<S: Stage>(stage: &S, subject: &Subject) -> Outcome {
     ] {
         // A mirror reverses the order of texels: the samples' must be the same from both ends.
         let settings = &[settings, &[("map_resolution", "15")]].concat()[..];
-        let mirrored = super::shaded(stage, subject, settings)?;
-        let direct = super::shaded(&cpu_stage(&MIRRORED_LIGHT), &MIRRORED_LIGHT, settings)?;
+        let mirrored = super::shaded(loaded, subject, settings)?;
+        let direct = super::shaded(&cpu_scene(&MIRRORED_LIGHT), &MIRRORED_LIGHT, settings)?;
         ensure!(super::total(&direct) > 0.0, "{settings:?}: no light");
         super::same(&direct, &mirrored, &rounding).map_err(|e| format!("{settings:?}: {e}"))?;
     }
     let settings = [("fidelity", "corrected"), ("samples_per_side", "1")];
     // An odd number of texels has one in the middle.
     let settings = [&settings[..], &[("map_resolution", "3")]].concat();
-    let estimate = super::shaded(stage, subject, &settings)?;
+    let estimate = super::shaded(loaded, subject, &settings)?;
     // From the light to the mirror 1 m, to the wall 3 m; from the wall to the point 1 m.
     let (b, r) = (4.0_f64, 1.0_f64);
     let half = (20.0_f64).to_radians().tan();

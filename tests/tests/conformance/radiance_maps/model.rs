@@ -2,7 +2,7 @@
 
 use crate::ensure;
 use crate::subjects::{Subject, inside};
-use crate::world::{CPU, Outcome, configured, cpu_stage, run};
+use crate::world::{CPU, Outcome, configured, cpu_scene, run};
 use glam::{DVec3, Vec3};
 use interreflect_conformance::own_model::{ModelValues, evaluate};
 use interreflect_cpu::path_tracer::Stop;
@@ -78,7 +78,7 @@ fn converges(surface: &str, quantity: Quantity) -> Outcome {
             0,
         );
         let sure = apart(&values, values.iter().zip(error.iter()).map(|(v, e)| v + e));
-        let estimate = run(&cpu_stage(&subject), &subject, &variant, &points)?;
+        let estimate = run(&cpu_scene(&subject), &variant, &points)?;
         let found = apart(&values, estimate.iter());
         println!("N = {n}: {found:.4} from the model, which is sure to {sure:.4}");
         ensure!(sure < 0.01, "the model is sure to {sure} only");

@@ -2,10 +2,10 @@
 
 use crate::ensure;
 use crate::subjects::{Subject, shared_points};
-use crate::world::{Outcome, cpu_stage, gpu_stage, ignored, on_gpu};
+use crate::world::{Outcome, cpu_scene, gpu_scene, ignored, on_gpu};
 use glam::DVec3;
 use interreflect_conformance::tolerance::Tolerance;
-use interreflect_estimators::stage::Stage;
+use interreflect_estimators::execution::BackendScene;
 use interreflect_scene::conventions::texel_centre;
 use interreflect_scene::{
     Light, LightViewChannels, LightViewImage, LightViewSpec, Needs, Point, SceneRequest, open,
@@ -53,16 +53,16 @@ pub(super) fn trials() -> Vec<Trial> {
         for column in COLUMNS {
             let name = format!("radiance_maps/point_set/{}_{n}x{n}", column.0);
             trials.push(Trial::test(format!("{name}/cpu"), move || {
-                let stage = cpu_stage(&set.subject);
-                let views = stage.capture(&normals(n))?.0.light_views;
+                let loaded = cpu_scene(&set.subject);
+                let views = loaded.capture(&normals(n))?.0.light_views;
                 let views = views.values().next().ok_or("no views")?;
-                set.check(&stage, views, column, n)
+                set.check(&loaded, views, column, n)
             }));
             trials.push(on_gpu(format!("{name}/gpu"), move |context| {
-                let stage = gpu_stage(context, &set.subject)?;
-                let views = stage.capture(&normals(n))?.0.light_views;
+                let loaded = gpu_scene(context, &set.subject)?;
+                let views = loaded.capture(&normals(n))?.0.light_views;
                 let views = views.values().next().ok_or("no views")?;
-                set.check(&stage, &views.download(context)?, column, n)
+                set.check(&loaded, &views.download(context)?, column, n)
             }));
         }
     }
@@ -153,9 +153,9 @@ impl PointSet {
 
     /// The estimate against a column. A sample whose ray meets the edge between two walls is given to
     /// the wall that the backend's own `views` say it met: the columns take the first.
-    fn check<S: Stage>(
+    fn check<S: BackendScene>(
         &self,
-        stage: &S,
+        loaded: &S,
         views: &LightViewImage,
         (column, settings): Column,
         n: u32,
@@ -163,7 +163,7 @@ impl PointSet {
         let side = n.to_string();
         let mut settings = settings.to_vec();
         settings.extend([("samples_per_side", &*side), ("map_resolution", &*side)]);
-        let estimate = super::shaded(stage, &self.subject, &settings)?;
+        let estimate = super::shaded(loaded, &self.subject, &settings)?;
         let values: Vec<f64> = estimate.iter().map(|v| f64::from(v.x)).collect();
         let tolerance = Tolerance {
             absolute: 1e-7,

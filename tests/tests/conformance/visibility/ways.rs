@@ -3,16 +3,13 @@
 use super::{AO, VERTICES, small};
 use crate::ensure;
 use crate::subjects::Subject;
-use crate::world::{CPU, Outcome, cpu_stage, gpu_stage};
+use crate::world::{Outcome, configured, cpu_scene, gpu_scene};
 use interreflect::view::View;
-use interreflect_estimators::directional_ao::{
-    Bias, CpuState, DIRECTIONS, DirectionalAo, DirectionalAoParams, GpuState, Visibility,
-    directions,
-};
-use interreflect_estimators::stage::Stage;
-use interreflect_estimators::{Changed, Cpu, Estimator, Gpu, Inputs, Method};
+use interreflect_estimators::directional_ao::{DIRECTIONS, directions};
+use interreflect_estimators::execution::BackendScene;
+use interreflect_estimators::{Changed, Configured};
 use interreflect_gpu::GpuContext;
-use interreflect_scene::{Estimate, LANES, PointLayout, Points, SceneRequest, open};
+use interreflect_scene::{LANES, PointLayout, Points, SceneRequest, open};
 use libtest_mimic::Failed;
 use std::path::Path;
 use std::sync::Arc;
@@ -64,27 +61,25 @@ pub(super) fn ways_agree(context: &Arc<GpuContext>, file: &Path) -> Outcome {
     let vertices = view.points(PointLayout::Surface);
     subject.set_points(vertices.iter().step_by(4).collect());
     let points = subject.points(PointLayout::Surface);
-    let bits_by = |visibility, gpu: bool| {
-        let params = DirectionalAoParams {
-            level: level as u32,
-            visibility,
-            map_resolution: 1024,
-            bias: Bias::PolygonOffset,
-            ..DirectionalAoParams::default()
-        };
-        match gpu {
-            false => cpu_bits(&subject, &points, &params),
-            true => gpu_bits(context, &subject, &points, &params),
-        }
+    let (cpu, gpu) = (cpu_scene(&subject), gpu_scene(context, &subject)?);
+    let method = |visibility| {
+        let level = level.to_string();
+        let settings = [
+            ("level", level.as_str()),
+            ("visibility", visibility),
+            ("map_resolution", "1024"),
+            ("bias", "polygon_offset"),
+        ];
+        Ok::<_, Failed>(configured("directional_ao", AO, &settings)?.method)
     };
     let seen = Seen {
         points: &points,
         level,
     };
-    let rays = bits_by(Visibility::Rays, false)?;
-    let maps = bits_by(Visibility::DepthMap, false)?;
-    let gpu_maps = bits_by(Visibility::DepthMap, true)?;
-    let queries = bits_by(Visibility::Queries, true)?;
+    let rays = bits(&cpu, &*method("rays")?, &points)?;
+    let maps = bits(&cpu, &*method("depth_map")?, &points)?;
+    let gpu_maps = bits(&gpu, &*method("depth_map")?, &points)?;
+    let queries = bits(&gpu, &*method("queries")?, &points)?;
     let count = DIRECTIONS[level];
     println!("{} points, {count} directions", points.len());
     for (name, a, b, apart_max, blunt_max) in [
@@ -109,44 +104,16 @@ pub(super) fn ways_agree(context: &Arc<GpuContext>, file: &Path) -> Outcome {
     Ok(())
 }
 
-fn cpu_bits(
-    subject: &Subject,
+/// The visibility bits that a session shows of itself.
+fn bits<S: BackendScene>(
+    loaded: &S,
+    method: &dyn Configured,
     points: &Points,
-    params: &DirectionalAoParams,
 ) -> Result<Vec<u32>, Failed> {
-    let stage = cpu_stage(subject);
-    let (facts, mut state) = (subject.cpu.scene().facts(), CpuState::default());
-    let needs = DirectionalAo::needs(params, AO, &facts)?;
-    let captures = stage.capture(&needs)?.0;
-    let origin = (facts, subject.cpu.scene().reference_point);
-    let inputs = Inputs::<Cpu>::new(&needs, &captures, points, points, origin, Changed::ALL);
-    let out = Estimate::new(points.len());
-    <DirectionalAo as Estimator<Cpu>>::prepare(params, &mut state, &mut &*CPU, AO, &inputs, &out)?;
-    Ok(state.bits().to_vec())
-}
-
-fn gpu_bits(
-    context: &Arc<GpuContext>,
-    subject: &Subject,
-    points: &Points,
-    params: &DirectionalAoParams,
-) -> Result<Vec<u32>, Failed> {
-    let stage = gpu_stage(context, subject)?;
-    let (facts, mut state) = (subject.cpu.scene().facts(), GpuState::default());
-    let needs = DirectionalAo::needs(params, AO, &facts)?;
-    let captures = stage.capture(&needs)?.0;
-    let placed = stage.place(points)?;
-    let origin = (facts, subject.cpu.scene().reference_point);
-    let inputs = Inputs::<Gpu>::new(
-        &needs,
-        &captures,
-        &placed.points,
-        points,
-        origin,
-        Changed::ALL,
-    );
-    stage.timed("prepare", &mut |cx| {
-        <DirectionalAo as Estimator<Gpu>>::prepare(params, &mut state, cx, AO, &inputs, &placed.out)
-    })?;
-    Ok(state.bits(context)?)
+    let mut executor = loaded.executor(method, AO, points)?;
+    executor.prepare(Changed::ALL)?;
+    let records = executor.records()?;
+    let found = records.iter().find(|r| r.name == "visibility bits");
+    let found = found.ok_or("no visibility bits")?;
+    Ok(found.values.iter().map(|bits| bits.to_bits()).collect())
 }

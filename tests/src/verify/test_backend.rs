@@ -1,12 +1,12 @@
 //! A backend that methods are checked on.
 
-use interreflect_cpu::scene::{CpuError, CpuScene};
+use interreflect_cpu::scene::CpuError;
 use interreflect_cpu::tiles::CpuCx;
-use interreflect_estimators::stage::{CpuStage, GpuStage, Stage, captured, estimated};
+use interreflect_estimators::execution::{BackendScene, LoadedScene};
 use interreflect_estimators::{
     Backend, Configured, Cpu, EstimatorError, Gpu, Quantity, Unsupported,
 };
-use interreflect_gpu::{GpuContext, GpuError, GpuScene};
+use interreflect_gpu::{GpuContext, GpuError};
 use interreflect_scene::{Estimate, Points, Scene};
 use std::sync::Arc;
 
@@ -46,22 +46,22 @@ impl From<EstimatorError> for VerifyError {
 
 /// A backend.
 #[derive(Clone, Copy)]
-pub enum Rig<'a> {
+pub enum TestBackend<'a> {
     /// Host threads.
     Cpu(&'a CpuCx),
     /// A device, with the host threads that help it.
     Gpu(&'a CpuCx, &'a Arc<GpuContext>),
 }
 
-/// Work on a scene that has been set up on some backend.
-pub trait OnStage {
+/// Work on a method in a scene that is loaded on some backend.
+pub trait OnBackend {
     /// What it comes to.
     type Output;
     /// Does it.
-    fn run<S: Stage>(self, stage: &S, scene: &Scene) -> Self::Output;
+    fn run<S: BackendScene>(self, scene: &S) -> Self::Output;
 }
 
-impl Rig<'_> {
+impl TestBackend<'_> {
     /// The backend's name.
     pub fn name(&self) -> &'static str {
         match self {
@@ -81,22 +81,26 @@ impl Rig<'_> {
         }
     }
 
-    /// Sets a scene up and does some work on it.
+    /// Loads a scene here.
     ///
     /// # Errors
     /// [`VerifyError`] if the backend refuses the scene.
-    pub fn with<J: OnStage>(&self, scene: &Scene, job: J) -> Result<J::Output, VerifyError> {
-        let (Self::Cpu(cx) | Self::Gpu(cx, _)) = *self;
-        let host = CpuStage {
-            cx,
-            scene: Arc::new(cx.install(|| CpuScene::new(scene))?),
-        };
-        Ok(match *self {
-            Self::Cpu(_) => job.run(&host, scene),
-            Self::Gpu(_, context) => {
-                let uploaded = GpuScene::new(context, scene)?;
-                job.run(&GpuStage::new(context.clone(), uploaded, host), scene)
-            }
+    pub fn load(&self, scene: &Scene) -> Result<LoadedScene, VerifyError> {
+        match *self {
+            Self::Cpu(cx) => Ok(LoadedScene::new(cx, scene)?),
+            Self::Gpu(cx, context) => Ok(LoadedScene::new(cx, scene)?.with_gpu(context)?),
+        }
+    }
+
+    /// Loads a scene and does some work on it.
+    ///
+    /// # Errors
+    /// [`VerifyError`] if the backend refuses the scene.
+    pub fn with<J: OnBackend>(&self, scene: &Scene, job: J) -> Result<J::Output, VerifyError> {
+        let loaded = self.load(scene)?;
+        Ok(match self {
+            Self::Cpu(_) => job.run(loaded.cpu()),
+            Self::Gpu(..) => job.run(loaded.gpu()?),
         })
     }
 
@@ -118,7 +122,7 @@ impl Rig<'_> {
     /// A method's estimates at several lists of points, on the same captures.
     ///
     /// # Errors
-    /// [`VerifyError`] as [`Rig::estimate`].
+    /// [`VerifyError`] as [`TestBackend::estimate`].
     pub fn estimates(
         &self,
         scene: &Scene,
@@ -148,17 +152,20 @@ struct Estimates<'a> {
     lists: &'a [Points],
 }
 
-impl OnStage for Estimates<'_> {
+impl OnBackend for Estimates<'_> {
     type Output = Result<Vec<Estimate>, EstimatorError>;
 
-    fn run<S: Stage>(self, stage: &S, scene: &Scene) -> Self::Output {
-        let Self {
-            method,
-            quantity,
-            lists,
-        } = self;
-        let captures = captured(stage, scene, method, quantity)?;
-        let estimate = |points| estimated(stage, scene, method, quantity, &captures, points);
-        lists.iter().map(estimate).collect()
+    fn run<S: BackendScene>(self, scene: &S) -> Self::Output {
+        let mut captures = None;
+        let estimate = |points| {
+            let mut executor = scene.executor(self.method, self.quantity, points)?;
+            if let Some(captures) = captures.take() {
+                executor.set_captures(captures);
+            }
+            let estimate = executor.estimate()?;
+            captures = Some(executor.captures()?);
+            Ok(estimate)
+        };
+        self.lists.iter().map(estimate).collect()
     }
 }

@@ -1,28 +1,53 @@
-//! A scene set up on one backend: where captures, points and estimates live, and how a phase is
-//! timed there.
+//! How a method is run: a scene is loaded on its backends once, and an [`Executor`] runs one method and
+//! quantity on it, phase by phase.
 
 mod cpu;
+mod executor;
 mod gpu;
-mod once;
+mod loaded_scene;
 
-pub use cpu::CpuStage;
-pub use gpu::GpuStage;
-pub use once::{captured, estimated};
+pub use cpu::CpuLoadedScene;
+pub use executor::{Executor, Suspended};
+pub use gpu::GpuLoadedScene;
+pub use loaded_scene::LoadedScene;
 
-use crate::{Backend, Captures, Configured, EstimatorError, Session, Unsupported};
+use crate::{Backend, Captures, Configured, EstimatorError, Quantity, Session, Unsupported};
 use interreflect_gpu::{GpuTime, Mistimed};
 use interreflect_scene::{Environment, Estimate, Needs, Points, Scene};
 use std::time::Instant;
 
-/// What an estimator does in one phase.
-pub type Phase<'p, B> = dyn FnMut(&mut <B as Backend>::Cx<'_>) -> Result<(), EstimatorError> + 'p;
+/// What is recorded, or done, in one phase.
+pub type Phase<'p, B> = dyn FnMut(&mut <B as Backend>::Cx) -> Result<(), EstimatorError> + 'p;
 
-/// A backend with a scene on it.
-pub trait Stage {
+/// One backend's side of a [`LoadedScene`]: where captures, points and estimates live, and how a phase
+/// is timed there.
+pub trait BackendScene {
     /// The backend.
-    type Backend: Backend;
+    type Backend: Backend<Scene = Self>;
 
-    /// Starts a method here.
+    /// The scene that is loaded.
+    fn scene(&self) -> &Scene;
+
+    /// What methods are asked whether they support it.
+    fn caps(&self) -> &<Self::Backend as Backend>::Caps;
+
+    /// Runs a method here, at these points.
+    ///
+    /// # Errors
+    /// [`EstimatorError`] if the method can't work here or a point can't be shaded.
+    fn executor<'s>(
+        &'s self,
+        method: &dyn Configured,
+        quantity: Quantity,
+        points: &'s Points,
+    ) -> Result<Executor<'s, Self::Backend>, EstimatorError>
+    where
+        Self: Sized,
+    {
+        Executor::new(self, method, quantity, points)
+    }
+
+    /// Starts a session of a method.
     ///
     /// # Errors
     /// [`Unsupported`] if it has no implementation here.
@@ -35,15 +60,15 @@ pub trait Stage {
     /// [`EstimatorError`] if one can't be shaded, or if they don't fit.
     fn place(&self, points: &Points) -> Result<Placed<Self::Backend>, EstimatorError>;
 
-    /// Finds the coarse solutions that captured radiance will hold: work done once for a scene, not
-    /// once a frame. The milliseconds that this took when it was done, `None` if nothing is needed.
+    /// Solves the coarse radiosity that captured radiance will hold: once for a scene, not once a
+    /// frame. The milliseconds that this took when it was done, `None` if nothing is needed.
     ///
     /// # Errors
     /// [`EstimatorError`] if the backend refuses.
     fn solve(&self, needs: &Needs) -> Result<Option<f64>, EstimatorError>;
 
     /// Makes every capture that is needed, those that would be kept too, where they were made;
-    /// the time is without that of [`Stage::solve`].
+    /// the time is without that of [`BackendScene::solve`].
     ///
     /// # Errors
     /// [`EstimatorError`] if the backend refuses.
@@ -76,6 +101,9 @@ pub trait Stage {
 
     /// Bytes of all that was made on the device so far; `None` where all is in the host's memory.
     fn made_bytes(&self) -> Option<u64>;
+
+    /// Whether times are those of a software adapter, which say nothing about a GPU.
+    fn software(&self) -> bool;
 }
 
 /// How long a phase took.

@@ -1,7 +1,7 @@
 //! Which points a frame evaluates: all of them, or those of triangles that are about to be seen for
-//! the first time (P5: the lists U of unseen triangles and T of those to do).
+//! the first time (P5: the lists U of unseen triangles and T, the worklist).
 
-use crate::Seen;
+use crate::VisibleTriangles;
 
 /// With so few unseen triangles left, the rest is evaluated at once: the lists would cost more than
 /// they save (P5: "skip it when U is small").
@@ -9,7 +9,7 @@ const SMALL: f64 = 0.01;
 
 /// What has been evaluated, kept across frames.
 #[derive(Default)]
-pub(super) struct Todo {
+pub(super) struct Worklist {
     evaluated: Vec<bool>,
     /// U: triangles that were not seen yet; `None` before the first frame that filters.
     unseen: Option<Unseen>,
@@ -23,7 +23,7 @@ struct Unseen {
     count: usize,
 }
 
-impl Todo {
+impl Worklist {
     /// Forgets what was evaluated: surfaces or points have moved.
     pub(super) fn forget(&mut self) {
         self.evaluated.clear();
@@ -38,7 +38,7 @@ impl Todo {
 
     /// The points out of `count` that this frame has to evaluate, in order: all that were not yet,
     /// or with `seen` those of them at corners of triangles that are seen for the first time.
-    pub(super) fn take(&mut self, count: usize, seen: Option<Seen<'_>>) -> Vec<u32> {
+    pub(super) fn take(&mut self, count: usize, seen: Option<VisibleTriangles<'_>>) -> Vec<u32> {
         self.evaluated.resize(count, false);
         let mut wanted = match seen {
             Some(seen) => self.about_to_be_seen(seen),
@@ -49,7 +49,7 @@ impl Todo {
         wanted
     }
 
-    fn about_to_be_seen(&mut self, seen: Seen<'_>) -> Vec<u32> {
+    fn about_to_be_seen(&mut self, seen: VisibleTriangles<'_>) -> Vec<u32> {
         let all = seen.triangles.len();
         let unseen = self.unseen.get_or_insert_with(|| Unseen {
             triangles: vec![true; all],
@@ -80,21 +80,21 @@ mod tests {
     #[test]
     fn only_vertices_of_triangles_seen_for_the_first_time() {
         let triangles = [[0, 1, 2], [1, 2, 3], [3, 4, 5]];
-        let mut todo = Todo::default();
+        let mut worklist = Worklist::default();
         let mut frame = |visible: &[u32]| {
-            let seen = Seen {
+            let seen = VisibleTriangles {
                 triangles: &triangles,
                 visible,
             };
-            todo.take(6, Some(seen))
+            worklist.take(6, Some(seen))
         };
         assert_eq!(frame(&[0]), [0, 1, 2]);
         assert_eq!(frame(&[0, 1]), [3]);
         assert_eq!(frame(&[0, 1]), []);
         assert_eq!(frame(&[2]), [4, 5]);
-        assert_eq!(todo.evaluations, 6);
-        todo.forget();
-        assert_eq!(todo.take(6, None), [0, 1, 2, 3, 4, 5]);
-        assert_eq!(todo.take(6, None), []);
+        assert_eq!(worklist.evaluations, 6);
+        worklist.forget();
+        assert_eq!(worklist.take(6, None), [0, 1, 2, 3, 4, 5]);
+        assert_eq!(worklist.take(6, None), []);
     }
 }

@@ -1,14 +1,14 @@
 //! An estimator that is checked: one method with its parameters, one quantity, one backend.
 
-use super::{Case, Rig, VerifyError, World};
+use super::{Case, TestBackend, VerifyError, World};
 use interreflect_estimators::{Claim, Configured, OwnModel, Quantity};
 use interreflect_scene::{Estimate, Points, Scene, SceneFacts};
 use std::f64::consts::PI;
 
 /// What is checked, and how hard.
-pub struct Subject<'a> {
+pub struct MethodUnderTest<'a> {
     /// The backend.
-    pub rig: Rig<'a>,
+    pub backend: TestBackend<'a>,
     /// The method.
     pub method: &'a dyn Configured,
     /// What it estimates.
@@ -21,7 +21,7 @@ pub struct Subject<'a> {
     pub case: Option<Case>,
 }
 
-impl Subject<'_> {
+impl MethodUnderTest<'_> {
     /// What the method claims.
     pub fn claims(&self) -> Vec<Claim> {
         self.method.claims(self.quantity)
@@ -35,19 +35,20 @@ impl Subject<'_> {
     /// Its estimate in a world.
     ///
     /// # Errors
-    /// [`VerifyError`] as [`Rig::estimate`].
+    /// [`VerifyError`] as [`TestBackend::estimate`].
     pub fn estimate(&self, world: &World) -> Result<Estimate, VerifyError> {
         let points = world.placed_points(self.quantity);
-        self.rig
+        self.backend
             .estimate(&world.scene(), self.method, self.quantity, &points)
     }
 
     /// Its estimates at several lists of points of a scene.
     ///
     /// # Errors
-    /// [`VerifyError`] as [`Rig::estimate`].
+    /// [`VerifyError`] as [`TestBackend::estimate`].
     pub fn estimates(&self, scene: &Scene, lists: &[Points]) -> Result<Vec<Estimate>, VerifyError> {
-        self.rig.estimates(scene, self.method, self.quantity, lists)
+        self.backend
+            .estimates(scene, self.method, self.quantity, lists)
     }
 
     /// What rounding to float32 makes of a sum over all captured texels, relative to the largest

@@ -1,6 +1,6 @@
 //! A scene on the CPU.
 
-use super::{Elapsed, Phase, Placed, Stage, environment, sum};
+use super::{BackendScene, Elapsed, Phase, Placed, environment, sum};
 use crate::{Captures, Configured, Cpu, EstimatorError, Session, Unsupported};
 use interreflect_cpu::capture::cube::capture_cube;
 use interreflect_cpu::capture::directional_depth::DirectionalDepths;
@@ -8,21 +8,27 @@ use interreflect_cpu::capture::light_view::capture_light_views;
 use interreflect_cpu::path_tracer::CoarseSolution;
 use interreflect_cpu::scene::CpuScene;
 use interreflect_cpu::tiles::CpuCx;
-use interreflect_scene::{Estimate, Needs, Points};
+use interreflect_scene::{Estimate, Needs, Points, Scene};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Instant;
 
 /// A scene on the CPU.
 #[derive(Clone)]
-pub struct CpuStage<'a> {
+pub struct CpuLoadedScene {
     /// Threads and instruction set.
-    pub cx: &'a CpuCx,
+    pub cx: CpuCx,
     /// The scene.
     pub scene: Arc<CpuScene>,
 }
 
-impl CpuStage<'_> {
+impl CpuLoadedScene {
+    /// A scene that these threads work on.
+    pub fn new(cx: &CpuCx, scene: Arc<CpuScene>) -> Self {
+        let cx = cx.clone();
+        Self { cx, scene }
+    }
+
     /// The coarse solutions of all captures, each once.
     pub(super) fn solutions(&self, needs: &Needs) -> BTreeMap<u32, Arc<CoarseSolution>> {
         let solve = |spec| self.cx.install(|| self.scene.coarse_for(spec));
@@ -31,8 +37,16 @@ impl CpuStage<'_> {
     }
 }
 
-impl Stage for CpuStage<'_> {
+impl BackendScene for CpuLoadedScene {
     type Backend = Cpu;
+
+    fn scene(&self) -> &Scene {
+        self.scene.scene()
+    }
+
+    fn caps(&self) -> &() {
+        &()
+    }
 
     fn open(&self, method: &dyn Configured) -> Result<Box<dyn Session<Cpu>>, Unsupported> {
         method.on_cpu()
@@ -78,7 +92,7 @@ impl Stage for CpuStage<'_> {
     }
 
     fn timed(&self, _label: &str, work: &mut Phase<'_, Cpu>) -> Result<Elapsed, EstimatorError> {
-        let mut cx = self.cx;
+        let mut cx = self.cx.clone();
         let start = Instant::now();
         work(&mut cx)?;
         Ok(Elapsed::since(start))
@@ -100,5 +114,9 @@ impl Stage for CpuStage<'_> {
 
     fn made_bytes(&self) -> Option<u64> {
         None
+    }
+
+    fn software(&self) -> bool {
+        false
     }
 }

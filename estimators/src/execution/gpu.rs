@@ -1,12 +1,12 @@
 //! A scene on the GPU.
 
-use super::{CpuStage, Elapsed, Phase, Placed, Stage, environment, milliseconds, sum};
+use super::{BackendScene, CpuLoadedScene, Elapsed, Phase, Placed, environment, milliseconds, sum};
 use crate::{Captures, Configured, EstimatorError, Gpu, Session, Unsupported};
 use interreflect_gpu::{
-    GpuCoarseIrradiance, GpuContext, GpuDirectionalDepths, GpuEstimate, GpuOccluders, GpuPoints,
-    GpuScene, capture_cube, capture_light_views,
+    GpuCoarseIrradiance, GpuContext, GpuDirectionalDepths, GpuError, GpuEstimate, GpuOccluders,
+    GpuPoints, GpuScene, capture_cube, capture_light_views,
 };
-use interreflect_scene::{Estimate, Needs, Points};
+use interreflect_scene::{Estimate, Needs, Points, Scene};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
@@ -14,12 +14,12 @@ use std::sync::Arc;
 use std::time::Instant;
 
 /// A scene on the GPU.
-pub struct GpuStage<'a> {
+pub struct GpuLoadedScene {
     /// The device.
     pub context: Arc<GpuContext>,
     /// The scene, uploaded.
     pub scene: GpuScene,
-    host: CpuStage<'a>,
+    host: CpuLoadedScene,
     /// Uploaded coarse solutions by their bounces, with the milliseconds that solving and uploading
     /// took.
     coarse: RefCell<BTreeMap<u32, (GpuCoarseIrradiance, f64)>>,
@@ -27,16 +27,19 @@ pub struct GpuStage<'a> {
     occluders: RefCell<Option<Arc<GpuOccluders>>>,
 }
 
-impl<'a> GpuStage<'a> {
-    /// A scene on a device; `host` is the same scene, for what the host computes once.
-    pub fn new(context: Arc<GpuContext>, scene: GpuScene, host: CpuStage<'a>) -> Self {
-        Self {
-            context,
-            scene,
+impl GpuLoadedScene {
+    /// Uploads a scene; what the host computes once, it computes on the CPU's side.
+    ///
+    /// # Errors
+    /// [`GpuError`] if the device refuses.
+    pub fn new(context: &Arc<GpuContext>, host: CpuLoadedScene) -> Result<Self, GpuError> {
+        Ok(Self {
+            context: context.clone(),
+            scene: GpuScene::new(context, host.scene.scene())?,
             host,
             coarse: RefCell::default(),
             occluders: RefCell::default(),
-        }
+        })
     }
 
     fn occluders(&self) -> Result<Arc<GpuOccluders>, EstimatorError> {
@@ -52,8 +55,16 @@ impl<'a> GpuStage<'a> {
     }
 }
 
-impl Stage for GpuStage<'_> {
+impl BackendScene for GpuLoadedScene {
     type Backend = Gpu;
+
+    fn scene(&self) -> &Scene {
+        self.host.scene.scene()
+    }
+
+    fn caps(&self) -> &GpuContext {
+        &self.context
+    }
 
     fn open(&self, method: &dyn Configured) -> Result<Box<dyn Session<Gpu>>, Unsupported> {
         method.on_gpu(&self.context)
@@ -130,5 +141,9 @@ impl Stage for GpuStage<'_> {
 
     fn made_bytes(&self) -> Option<u64> {
         Some(self.context.made_bytes())
+    }
+
+    fn software(&self) -> bool {
+        self.context.info().software
     }
 }
