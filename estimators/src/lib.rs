@@ -11,12 +11,14 @@ mod fields;
 mod frame;
 #[cfg(test)]
 mod layout;
+pub mod leaves;
 pub mod lobes;
 mod method;
 mod model;
 mod quantity;
 mod records;
 mod registry;
+mod tolerance;
 
 pub mod classic_envmap;
 pub mod constant_ambient;
@@ -34,10 +36,10 @@ pub mod sh_mip_envmap;
 pub mod texels;
 
 /// WGSL twin of [`interreflect_cpu::lane::Lane::lobe_power`].
-const LOBE_POWER: &str = include_str!("lobe_power.wgsl");
+pub const LOBE_POWER: &str = include_str!("lobe_power.wgsl");
 
 /// WGSL twin of [`interreflect_cpu::lane::Lane::angle`].
-const ANGLE: &str = include_str!("angle.wgsl");
+pub const ANGLE: &str = include_str!("angle.wgsl");
 
 pub use backend::{Backend, Cpu, Gpu};
 pub use claims::{Answers, Claim, FormFactorLaw, PatchKernel};
@@ -48,3 +50,4 @@ pub use model::OwnModel;
 pub use quantity::Quantity;
 pub use records::Records;
 pub use registry::{Configured, CpuOnly, Entry, Registry, Session, UnknownEstimator};
+pub use tolerance::Tolerance;

@@ -4,6 +4,7 @@ use crate::backend::{Backend, Gpu};
 use crate::claims::Claim;
 use crate::error::{EstimatorError, Unsupported};
 use crate::frame::Frame;
+use crate::leaves::Leaves;
 use crate::model::OwnModel;
 use crate::quantity::Quantity;
 use crate::records::Records;
@@ -28,6 +29,8 @@ pub trait Method: Params {
     const INFO: Info;
     /// What it can estimate, its main quantity first.
     const QUANTITIES: &'static [Quantity];
+    /// The formulas of its math.rs and math.wgsl.
+    const LEAVES: Leaves = Leaves::NONE;
 
     /// What it must be given for one quantity in such a scene, and no more.
     ///

@@ -13,6 +13,11 @@ pub struct Records {
     pub width: usize,
     /// Record after record.
     pub values: Vec<f32>,
+    /// Each is made of captured texels of its own, as those of single directions are; else each sums
+    /// over all.
+    pub shares_captures: bool,
+    /// The power of a lobe is in them.
+    pub has_lobes: bool,
 }
 
 impl Records {
@@ -22,6 +27,8 @@ impl Records {
             name,
             width: size_of::<T>() / size_of::<f32>(),
             values: bytemuck::cast_slice(records).to_vec(),
+            shares_captures: false,
+            has_lobes: false,
         }
     }
 
@@ -35,7 +42,25 @@ impl Records {
             name,
             width: size_of::<T>() / size_of::<f32>(),
             values: context.read_buffer(buffer)?,
+            shares_captures: false,
+            has_lobes: false,
         })
+    }
+
+    /// Each made of captured texels of its own.
+    pub fn sharing_captures(self) -> Self {
+        Self {
+            shares_captures: true,
+            ..self
+        }
+    }
+
+    /// With the power of a lobe in them.
+    pub fn with_lobes(self) -> Self {
+        Self {
+            has_lobes: true,
+            ..self
+        }
     }
 
     /// The first `count` of them: a buffer may be longer than what it holds.
@@ -50,6 +75,8 @@ impl Records {
             name,
             width: 1,
             values: bytemuck::cast_vec(words),
+            shares_captures: false,
+            has_lobes: false,
         }
     }
 
@@ -59,6 +86,8 @@ impl Records {
             name,
             width: 1,
             values: vec![count as f32],
+            shares_captures: false,
+            has_lobes: false,
         }
     }
 

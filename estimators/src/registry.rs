@@ -6,6 +6,7 @@ use crate::backend::{Backend, Cpu, Gpu};
 use crate::claims::Claim;
 use crate::error::{EstimatorError, Unsupported};
 use crate::frame::Frame;
+use crate::leaves::Leaves;
 use crate::method::{Estimator, Info, Method, Prepared};
 use crate::model::OwnModel;
 use crate::quantity::Quantity;
@@ -45,6 +46,10 @@ pub trait Configured: Send + Sync {
     /// # Errors
     /// [`Unsupported`] if there is no GPU implementation, or not on this one, with the reason.
     fn on_gpu(&self, context: &GpuContext) -> Result<Box<dyn Session<Gpu>>, Unsupported>;
+    /// See [`Method::LEAVES`].
+    fn leaves(&self) -> &'static Leaves;
+    /// See [`Estimator::SHADERS`], on the GPU.
+    fn shaders(&self) -> &'static [Shader];
     /// A copy.
     fn boxed_clone(&self) -> Box<dyn Configured>;
 
@@ -115,6 +120,7 @@ struct Typed<M> {
     method: M,
     cpu: Result<Open<M, Cpu>, &'static str>,
     gpu: Result<Open<M, Gpu>, &'static str>,
+    shaders: &'static [Shader],
 }
 
 impl<M: Method> Configured for Typed<M> {
@@ -156,6 +162,12 @@ impl<M: Method> Configured for Typed<M> {
         let open = self.gpu.map_err(|why| Unsupported(why.into()))?;
         open(self.method.clone(), context)
     }
+    fn leaves(&self) -> &'static Leaves {
+        &M::LEAVES
+    }
+    fn shaders(&self) -> &'static [Shader] {
+        self.shaders
+    }
     fn boxed_clone(&self) -> Box<dyn Configured> {
         Box::new(Self {
             method: self.method.clone(),
@@ -170,6 +182,7 @@ pub struct Entry {
     info: &'static Info,
     gpu: Result<(), &'static str>,
     shaders: &'static [Shader],
+    leaves: &'static Leaves,
     make: fn() -> Box<dyn Configured>,
 }
 
@@ -180,11 +193,13 @@ impl Entry {
             info: &M::INFO,
             gpu: Ok(()),
             shaders: <M as Estimator<Gpu>>::SHADERS,
+            leaves: &M::LEAVES,
             make: || {
                 Box::new(Typed::<M> {
                     method: M::default(),
                     cpu: Ok(Running::<M, Cpu>::open),
                     gpu: Ok(Running::<M, Gpu>::open),
+                    shaders: <M as Estimator<Gpu>>::SHADERS,
                 })
             },
         }
@@ -196,11 +211,13 @@ impl Entry {
             info: &M::INFO,
             gpu: Err(M::NO_GPU),
             shaders: &[],
+            leaves: &M::LEAVES,
             make: || {
                 Box::new(Typed::<M> {
                     method: M::default(),
                     cpu: Ok(Running::<M, Cpu>::open),
                     gpu: Err(M::NO_GPU),
+                    shaders: &[],
                 })
             },
         }
@@ -222,6 +239,11 @@ impl Entry {
     /// The method's GPU shaders.
     pub fn shaders(&self) -> &'static [Shader] {
         self.shaders
+    }
+
+    /// The formulas of the method's math.rs and math.wgsl.
+    pub fn leaves(&self) -> &'static Leaves {
+        self.leaves
     }
 
     /// The method with its default parameters.

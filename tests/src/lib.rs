@@ -8,5 +8,4 @@ pub mod exchange;
 pub mod oracles;
 pub mod own_model;
 pub mod statistics;
-pub mod tolerance;
 pub mod verify;

@@ -4,10 +4,12 @@
 
 mod cpu;
 mod gpu;
+mod leaves;
 pub mod math;
 mod params;
 
 use crate::convolution::{self, Sizes};
+use crate::leaves::Leaves;
 use crate::{Claim, Info, Method, OwnModel, Quantity, Unsupported};
 use interreflect_scene::{CubeSpec, Needs, SceneFacts};
 
@@ -22,6 +24,8 @@ impl Method for ClassicEnvmap {
     };
 
     const QUANTITIES: &'static [Quantity] = &[Quantity::Irradiance, Quantity::GlossyRadiance];
+
+    const LEAVES: Leaves = leaves::LEAVES;
 
     fn needs(&self, _quantity: Quantity, _scene: &SceneFacts) -> Result<Needs, Unsupported> {
         Ok(Needs {

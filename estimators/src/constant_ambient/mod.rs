@@ -4,9 +4,11 @@
 mod claims;
 mod cpu;
 mod gpu;
+mod leaves;
 pub mod math;
 mod params;
 
+use crate::leaves::Leaves;
 use crate::{Claim, Info, Method, OwnModel, Quantity, Unsupported};
 use interreflect_scene::{CubeSpec, Needs, SceneFacts};
 
@@ -20,6 +22,8 @@ impl Method for ConstantAmbient {
     };
 
     const QUANTITIES: &'static [Quantity] = &[Quantity::Irradiance, Quantity::GlossyRadiance];
+
+    const LEAVES: Leaves = leaves::LEAVES;
 
     fn needs(&self, _quantity: Quantity, _scene: &SceneFacts) -> Result<Needs, Unsupported> {
         Ok(Needs {

@@ -4,6 +4,7 @@
 pub mod claims;
 pub mod cpu;
 pub mod gpu;
+pub mod leaves;
 pub mod math;
 mod sources;
 

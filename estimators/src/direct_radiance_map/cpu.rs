@@ -51,8 +51,10 @@ impl Prepared<Cpu> for Photons {
 
     fn records(&self, _caps: &()) -> Result<Vec<Records>, EstimatorError> {
         Ok(vec![
-            Records::host("photons", &self.photons),
-            Records::host("highlights", &self.highlights),
+            Records::host("photons", &self.photons).sharing_captures(),
+            Records::host("highlights", &self.highlights)
+                .sharing_captures()
+                .with_lobes(),
         ])
     }
 }

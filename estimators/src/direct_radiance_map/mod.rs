@@ -5,10 +5,12 @@
 mod claims;
 mod cpu;
 mod gpu;
+mod leaves;
 pub mod math;
 mod params;
 mod samples;
 
+use crate::leaves::Leaves;
 use crate::{Claim, Info, Method, OwnModel, Quantity, Unsupported};
 use interreflect_scene::params::Fidelity;
 use interreflect_scene::{LightViewChannels, LightViewSpec, Needs, SceneFacts};
@@ -23,6 +25,8 @@ impl Method for DirectRadianceMap {
     };
 
     const QUANTITIES: &'static [Quantity] = &[Quantity::Irradiance, Quantity::GlossyRadiance];
+
+    const LEAVES: Leaves = leaves::LEAVES;
 
     fn needs(&self, _quantity: Quantity, scene: &SceneFacts) -> Result<Needs, Unsupported> {
         let (n, w) = (self.samples_per_side, self.map_resolution);

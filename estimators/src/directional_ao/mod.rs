@@ -6,6 +6,7 @@ mod claims;
 mod cpu;
 mod environment;
 mod gpu;
+mod leaves;
 mod level;
 pub mod math;
 mod params;
@@ -13,6 +14,7 @@ mod progress;
 mod sphere;
 mod worklist;
 
+use crate::leaves::Leaves;
 use crate::{
     Backend, Claim, EstimatorError, Info, Inputs, Method, OwnModel, Quantity, Unsupported,
 };
@@ -35,6 +37,8 @@ impl Method for DirectionalAo {
     };
 
     const QUANTITIES: &'static [Quantity] = &[Quantity::AmbientOcclusion, Quantity::Irradiance];
+
+    const LEAVES: Leaves = leaves::LEAVES;
 
     fn needs(&self, quantity: Quantity, scene: &SceneFacts) -> Result<Needs, Unsupported> {
         let coloured = quantity == Quantity::Irradiance;

@@ -71,7 +71,9 @@ impl Prepared<Cpu> for Lights {
     }
 
     fn records(&self, _caps: &()) -> Result<Vec<Records>, EstimatorError> {
-        Ok(vec![Records::host("texels", &self.texels)])
+        Ok(vec![
+            Records::host("texels", &self.texels).sharing_captures(),
+        ])
     }
 }
 

@@ -6,10 +6,12 @@
 mod claims;
 mod cpu;
 mod gpu;
+mod leaves;
 pub mod math;
 mod params;
 mod tables;
 
+use crate::leaves::Leaves;
 use crate::texels;
 use crate::texels::average::{Averaging, Tables};
 use crate::{Claim, Info, Method, OwnModel, Quantity, Unsupported};
@@ -27,6 +29,8 @@ impl Method for LocalizedCubemap {
     };
 
     const QUANTITIES: &'static [Quantity] = &[Quantity::Irradiance, Quantity::GlossyRadiance];
+
+    const LEAVES: Leaves = leaves::LEAVES;
 
     fn needs(&self, _quantity: Quantity, scene: &SceneFacts) -> Result<Needs, Unsupported> {
         Ok(Needs {

@@ -5,9 +5,11 @@
 mod claims;
 mod cpu;
 mod gpu;
+mod leaves;
 pub mod math;
 mod params;
 
+use crate::leaves::Leaves;
 use crate::texels;
 use crate::texels::average::{Averaging, Tables};
 use crate::{Claim, Info, Method, OwnModel, Quantity, Unsupported};
@@ -24,6 +26,8 @@ impl Method for PointFormFactor {
     };
 
     const QUANTITIES: &'static [Quantity] = &[Quantity::Irradiance, Quantity::GlossyRadiance];
+
+    const LEAVES: Leaves = leaves::LEAVES;
 
     fn needs(&self, _quantity: Quantity, scene: &SceneFacts) -> Result<Needs, Unsupported> {
         Ok(Needs {

@@ -76,8 +76,8 @@ impl Prepared<Cpu> for Polygons {
         let with_pad = |[r, g, b]: &[f32; 3]| [*r, *g, *b, 0.0];
         let radiances: Vec<[f32; 4]> = self.quads.radiances.iter().map(with_pad).collect();
         Ok(vec![
-            Records::host("corners", &self.quads.corners),
-            Records::host("radiances", &radiances),
+            Records::host("corners", &self.quads.corners).sharing_captures(),
+            Records::host("radiances", &radiances).sharing_captures(),
         ])
     }
 }

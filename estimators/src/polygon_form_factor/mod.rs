@@ -6,9 +6,11 @@ mod claims;
 mod corners;
 mod cpu;
 mod gpu;
+mod leaves;
 pub mod math;
 mod params;
 
+use crate::leaves::Leaves;
 use crate::texels;
 use crate::texels::average::{Averaging, Tables};
 use crate::{Claim, Info, Method, OwnModel, Quantity, Unsupported};
@@ -25,6 +27,8 @@ impl Method for PolygonFormFactor {
     };
 
     const QUANTITIES: &'static [Quantity] = &[Quantity::Irradiance];
+
+    const LEAVES: Leaves = leaves::LEAVES;
 
     fn needs(&self, _quantity: Quantity, scene: &SceneFacts) -> Result<Needs, Unsupported> {
         Ok(Needs {

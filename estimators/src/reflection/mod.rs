@@ -1,6 +1,7 @@
 //! Reflection of an environment at infinity: the mirrored direction, Schlick's Fresnel factor and
 //! what they make of irradiance and filtered radiance.
 
+pub mod leaves;
 pub mod math;
 
 use crate::{Backend, Changed, Inputs, Quantity};

@@ -4,6 +4,7 @@
 pub mod average;
 pub mod gather;
 pub mod gpu;
+pub mod leaves;
 pub mod math;
 
 use interreflect_scene::{CubeChannels, CubeSpec, SceneFacts};

@@ -10,6 +10,7 @@ mod converge;
 mod extremes;
 mod laws;
 mod method_under_test;
+pub mod parity;
 mod property;
 mod rules;
 mod settings;
@@ -27,6 +28,7 @@ pub use world::{Lighting, Placement, World, sky};
 use answers::Answer;
 use interreflect_estimators::{Claim, Unsupported};
 use laws::Law;
+use parity::Parity;
 use property::Property;
 use rules::Rule;
 
@@ -42,6 +44,8 @@ pub struct Check {
 enum Kind {
     /// What every estimator must keep to.
     Rule(Rule),
+    /// What both backends must agree on.
+    Parity(Parity),
     /// An exact answer.
     Answer(Answer),
     /// A claim tried in random worlds.
@@ -132,6 +136,8 @@ enum Asked {
 pub fn checks() -> impl Iterator<Item = Check> {
     let rules = rules::all().into_iter();
     let rules = rules.map(|r| (r.name, r.about, Kind::Rule(r)));
+    let parity = parity::all().into_iter();
+    let parity = parity.map(|p| (p.name, p.about, Kind::Parity(p)));
     let answers = answers::all().into_iter();
     let answers = answers.map(|a| (a.name, a.about, Kind::Answer(a)));
     let properties = property::all().into_iter();
@@ -139,7 +145,11 @@ pub fn checks() -> impl Iterator<Item = Check> {
     let convergence = std::iter::once((converge::NAME, converge::ABOUT, Kind::Convergence));
     let laws = laws::all().into_iter();
     let laws = laws.map(|l| (l.name, l.about, Kind::Law(l)));
-    let all = rules.chain(answers).chain(properties).chain(convergence);
+    let all = rules
+        .chain(parity)
+        .chain(answers)
+        .chain(properties)
+        .chain(convergence);
     all.chain(laws)
         .map(|(name, about, kind)| Check { name, about, kind })
 }
@@ -148,7 +158,7 @@ impl Check {
     /// Whether this is how a claim is tried.
     pub fn asks(&self, claim: &Claim) -> bool {
         match &self.kind {
-            Kind::Rule(_) => false,
+            Kind::Rule(_) | Kind::Parity(_) => false,
             Kind::Answer(answer) => answer.asks(claim),
             Kind::Property(property) => property.asks(claim),
             Kind::Convergence => matches!(claim, Claim::Converges { .. }),
@@ -163,6 +173,7 @@ impl Check {
         }
         let (asked, found) = match &self.kind {
             Kind::Rule(rule) => (Asked::Claimed, rule.run(subject)),
+            Kind::Parity(parity) => (Asked::Claimed, parity.run(subject)),
             Kind::Answer(answer) => answer.run(subject),
             Kind::Property(property) => property.run(subject),
             Kind::Convergence => converge::run(subject),
@@ -182,6 +193,7 @@ impl From<VerifyError> for Nothing {
     fn from(error: VerifyError) -> Self {
         match error {
             VerifyError::Unsupported(why) => why.into(),
+            VerifyError::NotComparable(why) => Self::NotApplicable(why),
             broken => Self::Broken(broken),
         }
     }

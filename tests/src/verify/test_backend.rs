@@ -25,6 +25,9 @@ pub enum VerifyError {
     /// The method failed.
     #[error(transparent)]
     Estimator(EstimatorError),
+    /// What is compared can't be the same on both backends.
+    #[error("{0}")]
+    NotComparable(String),
     /// A number that is none.
     #[error("point {point} has the estimate {value}")]
     NotFinite {

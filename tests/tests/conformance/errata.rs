@@ -5,8 +5,8 @@ use crate::ensure;
 use crate::subjects::{ROOM_ORIGIN, SUBJECTS, Subject, box_with, inside};
 use crate::world::{Outcome, Variant, configured, on_both, run};
 use glam::Vec3;
-use interreflect_conformance::tolerance::Tolerance;
 use interreflect_estimators::Quantity;
+use interreflect_estimators::Tolerance;
 use interreflect_estimators::execution::BackendScene;
 use interreflect_scene::conventions::{
     CUBE_FACES, cube_vector, texel_centre, texel_solid_angle_sr,

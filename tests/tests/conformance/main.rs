@@ -10,12 +10,13 @@ mod errata;
 mod extremes;
 mod form_factors;
 mod frames;
-mod ladder;
+mod leaf_parity;
 mod moved;
 mod openness;
 mod parity;
 mod parity_views;
 mod path_reference;
+mod precision_parity;
 mod radiance_maps;
 mod room;
 mod room_points;
@@ -23,7 +24,6 @@ mod room_ties;
 mod rules;
 mod shaders;
 mod subjects;
-mod twins;
 mod verify;
 mod visibility;
 mod world;
@@ -34,13 +34,13 @@ fn main() {
     let arguments = Arguments::from_args();
     let trials: Vec<Trial> = [
         shaders::trials(),
-        twins::trials(),
+        leaf_parity::trials(),
         rules::trials(),
         verify::trials(),
         extremes::trials(),
         costs::trials(),
         parity::trials(),
-        ladder::trials(),
+        precision_parity::trials(),
         moved::trials(),
         frames::trials(),
         bounces::trials(),

@@ -8,11 +8,12 @@ use crate::world::{
     variants,
 };
 use interreflect_conformance::exchange::{downloaded, uploaded};
-use interreflect_conformance::tolerance::Tolerance;
+use interreflect_conformance::verify::parity::{float32, texels};
+use interreflect_estimators::Tolerance;
 use interreflect_estimators::{Captures, Cpu};
 use interreflect_gpu::GpuContext;
 use interreflect_scene::conventions::{CUBE_FACES, texel_index, texel_solid_angle_sr};
-use interreflect_scene::{CubeImage, Estimate, LightViewImage};
+use interreflect_scene::{CubeImage, Estimate};
 use libtest_mimic::{Failed, Trial};
 use std::rc::Rc;
 use std::sync::{Arc, LazyLock};
@@ -63,23 +64,6 @@ pub(crate) fn trials() -> Vec<Trial> {
 fn on_either(variant: &Variant, subject: &Subject) -> Option<String> {
     let on_cpu = variant.unsupported(subject);
     on_cpu.or_else(|| variant.unsupported_on_gpu(subject))
-}
-
-/// Half a unit in the last place of an f32 of 1.
-const ROUNDING: f64 = 5.96e-8;
-
-/// Both backends sum in f32, in orders of their own and with or without fused operations, over at
-/// most all captured texels. Rounding errors of N terms add up like a random walk: √N, four times
-/// that for the worst of some thousand values. Their scale is the largest value, not the point's
-/// own: where most texels are just below the horizon, what is left of the sum keeps their error.
-fn float32(texels: usize, largest: f64) -> Tolerance {
-    let walk = 4.0 * (texels as f64).sqrt() * ROUNDING;
-    Tolerance {
-        absolute: walk * largest,
-        // The stated error of the lobe's power.
-        relative: 1e-5 + walk,
-        cause: "float32 sums over the captured texels, and the power of the lobe",
-    }
 }
 
 fn parity(context: &Arc<GpuContext>, subject: &'static Subject, variant: &Variant) -> Outcome {
@@ -148,12 +132,6 @@ fn check_most(tolerance: &Tolerance, a: &Estimate, b: &Estimate) -> Result<(), S
 fn largest(estimate: &Estimate) -> f64 {
     let largest = estimate.iter().fold(0.0_f32, |m, v| m.max(v.max_element()));
     f64::from(largest)
-}
-
-fn texels(captures: &Captures<Cpu>) -> usize {
-    let cubes = captures.cubes.values().map(CubeImage::texels);
-    let views = captures.light_views.values().map(LightViewImage::texels);
-    cubes.chain(views).sum()
 }
 
 /// A texel at half the distance from the point as from the reference point counts four times.

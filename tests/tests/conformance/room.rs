@@ -7,8 +7,8 @@ use crate::subjects::Subject;
 use crate::world::{
     Outcome, Variant, configured, cpu_scene, gpu_scene, ignored, on_both, on_gpu, run,
 };
-use interreflect_conformance::tolerance::Tolerance;
 use interreflect_estimators::Quantity;
+use interreflect_estimators::Tolerance;
 use interreflect_estimators::execution::BackendScene;
 use libtest_mimic::Trial;
 use std::f64::consts::PI;

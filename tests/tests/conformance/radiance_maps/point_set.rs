@@ -4,7 +4,7 @@ use crate::ensure;
 use crate::subjects::{Subject, shared_points};
 use crate::world::{Outcome, cpu_scene, gpu_scene, ignored, on_gpu};
 use glam::DVec3;
-use interreflect_conformance::tolerance::Tolerance;
+use interreflect_estimators::Tolerance;
 use interreflect_estimators::execution::BackendScene;
 use interreflect_scene::conventions::texel_centre;
 use interreflect_scene::{

@@ -1,5 +1,7 @@
-use super::*;
-use interreflect_estimators::polygon_form_factor::math as polygon;
+//! The leaf functions of math.rs and math.wgsl, with inputs and tolerances.
+
+use super::math as polygon;
+use crate::leaves::*;
 
 /// Error of an edge: products that cancel in c, then the angle and a division.
 const EDGE: Tolerance = ulps(
@@ -8,60 +10,63 @@ const EDGE: Tolerance = ulps(
     "a vector product whose terms cancel, and an angle with a relative error of 3e-7",
 );
 
-pub(super) const TWINS: &[Twin] = &[
-    twin!(
-        "polygon_form_factor",
-        "edge_integral",
-        "outputs[id.x] = vec4f(edge_integral(vec3f(a[0], a[1], a[2]), vec3f(a[3], a[4], a[5]), vec3f(a[6], a[7], a[8])), 0.0, 0.0, 0.0);",
-        over_lanes!(|a| vec![polygon::edge_integral(
+/// The leaf functions.
+pub(super) const LEAVES: Leaves = Leaves {
+    folder: "polygon_form_factor",
+    wgsl: include_str!("math.wgsl"),
+    functions: FUNCTIONS,
+    host_only: &[],
+};
+
+const FUNCTIONS: &[Leaf] = &[
+    Leaf {
+        name: "edge_integral",
+        wgsl: "outputs[id.x] = vec4f(edge_integral(vec3f(a[0], a[1], a[2]), vec3f(a[3], a[4], a[5]), vec3f(a[6], a[7], a[8])), 0.0, 0.0, 0.0);",
+        calls: over_lanes!(|a| vec![polygon::edge_integral(
             vector(a, 0),
             vector(a, 3),
             vector(a, 6)
         )]),
-        edges,
-        EDGE
-    ),
-    twin!(
-        "polygon_form_factor",
-        "corner_height",
-        "outputs[id.x] = vec4f(corner_height(vec3f(a[0], a[1], a[2]), vec3f(a[6], a[7], a[8]), a[3], a[4]), 0.0, 0.0, 0.0);",
-        over_lanes!(|a| vec![polygon::corner_height(
+        inputs: edges,
+        tolerance: EDGE,
+    },
+    Leaf {
+        name: "corner_height",
+        wgsl: "outputs[id.x] = vec4f(corner_height(vec3f(a[0], a[1], a[2]), vec3f(a[6], a[7], a[8]), a[3], a[4]), 0.0, 0.0, 0.0);",
+        calls: over_lanes!(|a| vec![polygon::corner_height(
             vector(a, 0),
             vector(a, 6),
             a[3],
             a[4]
         )]),
-        edges,
-        ulps(3, 3.0, "a scalar product whose terms cancel")
-    ),
-    twin!(
-        "polygon_form_factor",
-        "edge_cosine",
-        "outputs[id.x] = vec4f(edge_cosine(vec3f(a[0], a[1], a[2]), vec3f(a[3], a[4], a[5]), vec3f(a[6], a[7], a[8])), 0.0, 0.0, 0.0);",
-        over_lanes!(|a| vec![polygon::edge_cosine(
+        inputs: edges,
+        tolerance: ulps(3, 3.0, "a scalar product whose terms cancel"),
+    },
+    Leaf {
+        name: "edge_cosine",
+        wgsl: "outputs[id.x] = vec4f(edge_cosine(vec3f(a[0], a[1], a[2]), vec3f(a[3], a[4], a[5]), vec3f(a[6], a[7], a[8])), 0.0, 0.0, 0.0);",
+        calls: over_lanes!(|a| vec![polygon::edge_cosine(
             vector(a, 0),
             vector(a, 3),
             vector(a, 6)
         )]),
-        edges,
-        EDGE
-    ),
-    twin!(
-        "polygon_form_factor",
-        "edge_angle",
-        "outputs[id.x] = vec4f(edge_angle(vec3f(a[0], a[1], a[2]), vec3f(a[3], a[4], a[5])), 0.0, 0.0, 0.0);",
-        over_lanes!(|a| vec![polygon::edge_angle(vector(a, 0), vector(a, 3))]),
-        edges,
-        EDGE
-    ),
-    twin!(
-        "polygon_form_factor",
-        "clipped_quad",
-        "let corners = array<vec3f, 4>(vec3f(a[0], a[1], a[2]), vec3f(a[3], a[4], a[5]), vec3f(a[6], a[7], a[8]), vec3f(a[9], a[10], a[11]));\n\
+        inputs: edges,
+        tolerance: EDGE,
+    },
+    Leaf {
+        name: "edge_angle",
+        wgsl: "outputs[id.x] = vec4f(edge_angle(vec3f(a[0], a[1], a[2]), vec3f(a[3], a[4], a[5])), 0.0, 0.0, 0.0);",
+        calls: over_lanes!(|a| vec![polygon::edge_angle(vector(a, 0), vector(a, 3))]),
+        inputs: edges,
+        tolerance: EDGE,
+    },
+    Leaf {
+        name: "clipped_quad",
+        wgsl: "let corners = array<vec3f, 4>(vec3f(a[0], a[1], a[2]), vec3f(a[3], a[4], a[5]), vec3f(a[6], a[7], a[8]), vec3f(a[9], a[10], a[11]));\n\
          let n = vec3f(a[12], a[13], a[14]);\n\
          let heights = vec4f(dot(n, corners[0]), dot(n, corners[1]), dot(n, corners[2]), dot(n, corners[3]));\n\
          outputs[id.x] = vec4f(clipped_quad(corners, heights, n), 0.0, 0.0, 0.0);",
-        over_lanes!(|a| {
+        calls: over_lanes!(|a| {
             let corners = [vector(a, 0), vector(a, 3), vector(a, 6), vector(a, 9)];
             let n = vector(a, 12);
             vec![polygon::clipped_quad(
@@ -70,14 +75,14 @@ pub(super) const TWINS: &[Twin] = &[
                 n,
             )]
         }),
-        quads,
-        Tolerance {
+        inputs: quads,
+        tolerance: Tolerance {
             absolute: 2e-5,
             relative: 1e-5,
             cause: "up to eight edges; a crossing of the horizon moves with the rounding of a \
                     height that is small beside its terms",
-        }
-    ),
+        },
+    },
 ];
 
 /// Edges whose ends lie apart, short ones, one end far away, and ones that pass at a tenth of a unit,

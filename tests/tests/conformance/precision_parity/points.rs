@@ -7,8 +7,8 @@ use crate::world::{
     Outcome, Variant, captures, cpu_scene, estimate, gpu_scene, ignored, on_gpu, switched, variants,
 };
 use interreflect_conformance::exchange::uploaded;
-use interreflect_conformance::tolerance::Tolerance;
 use interreflect_cpu::tiles::Arithmetic;
+use interreflect_estimators::Tolerance;
 use interreflect_estimators::directional_ao::DIRECTIONS;
 use interreflect_estimators::{Captures, Changed, Cpu, Quantity};
 use interreflect_gpu::GpuContext;
@@ -21,13 +21,13 @@ use std::sync::{Arc, LazyLock};
 pub(crate) fn trials() -> Vec<Trial> {
     let mut trials = Vec::new();
     for variant in variants(CAPTURED) {
-        let name = format!("ladder/points/{}", variant.name());
+        let name = format!("precision_parity/points/{}", variant.name());
         trials.push(trial(name, variant));
     }
     // Its switches say how visibility is found, which costs much: shading is the same.
     let cheap = |(variant, _): &(Variant, String)| variant.method.info().id != "directional_ao";
     for (variant, setting) in switched(CAPTURED).into_iter().filter(cheap) {
-        let name = format!("ladder/points/{}/{setting}", variant.name());
+        let name = format!("precision_parity/points/{}/{setting}", variant.name());
         trials.push(trial(name, variant));
     }
     trials

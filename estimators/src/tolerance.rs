@@ -17,6 +17,15 @@ impl Tolerance {
         self.absolute + self.relative * a.abs().max(b.abs())
     }
 
+    /// The difference between two values over the largest one that is allowed: at most 1 where it
+    /// holds. Not a number where a value is none; without a bound, 0 or infinite.
+    pub fn of_bound(&self, a: f64, b: f64) -> f64 {
+        match (a - b).abs() {
+            0.0 => 0.0,
+            difference => difference / self.bound(a, b),
+        }
+    }
+
     /// Checks two values.
     ///
     /// # Errors

@@ -1,85 +1,92 @@
-use super::*;
-use interreflect_estimators::sh_mip_envmap::math as sh_mip;
+//! The leaf functions of math.rs and math.wgsl, with inputs and tolerances.
 
-pub(super) const TWINS: &[Twin] = &[
-    twin!(
-        "sh_mip_envmap",
-        "harmonics",
-        "var y = harmonics(vec3f(a[0], a[1], a[2]));\n\
+use super::math as sh_mip;
+use crate::leaves::*;
+
+/// The leaf functions.
+pub(super) const LEAVES: Leaves = Leaves {
+    folder: "sh_mip_envmap",
+    wgsl: include_str!("math.wgsl"),
+    functions: FUNCTIONS,
+    host_only: &["band_factor"],
+};
+
+const FUNCTIONS: &[Leaf] = &[
+    Leaf {
+        name: "harmonics",
+        wgsl: "var y = harmonics(vec3f(a[0], a[1], a[2]));\n\
          var chosen = 0.0;\n\
          for (var i = 0u; i < HARMONICS; i++) { chosen += a[3u + i] * y[i]; }\n\
          outputs[id.x] = vec4f(chosen, 0.0, 0.0, 0.0);",
-        over_lanes!(|a| {
+        calls: over_lanes!(|a| {
             let terms = sh_mip::harmonics(vector(a, 0)).into_iter().zip(&a[3..]);
             vec![terms.fold(L::splat(0.0), |sum, (y, weight)| sum + y * *weight)]
         }),
-        one_harmonic_at_a_time,
-        ulps(
+        inputs: one_harmonic_at_a_time,
+        tolerance: ulps(
             4,
             2.0,
-            "a difference of two products of magnitude 3·1/3 at most"
-        )
-    ),
-    twin!(
-        "sh_mip_envmap",
-        "level_offset",
-        "outputs[id.x] = vec4f(f32(level_offset(u32(a[0]), u32(a[1]))), 0.0, 0.0, 0.0);",
-        in_f64!(|a| vec![f64::from(sh_mip::level_offset(a[0] as u32, a[1] as u32))]),
-        || grid(&[&[64.0, 512.0], &[1.0, 2.0, 16.0, 64.0]]),
-        ulps(0, 0.0, "whole numbers")
-    ),
-    twin!(
-        "sh_mip_envmap",
-        "neighbour",
-        "let found = neighbour(u32(a[0]), u32(a[1]), i32(a[2]), i32(a[3]));\n\
+            "a difference of two products of magnitude 3·1/3 at most",
+        ),
+    },
+    Leaf {
+        name: "level_offset",
+        wgsl: "outputs[id.x] = vec4f(f32(level_offset(u32(a[0]), u32(a[1]))), 0.0, 0.0, 0.0);",
+        calls: Calls::in_f64(|a| vec![f64::from(sh_mip::level_offset(a[0] as u32, a[1] as u32))]),
+        inputs: || grid(&[&[64.0, 512.0], &[1.0, 2.0, 16.0, 64.0]]),
+        tolerance: ulps(0, 0.0, "whole numbers"),
+    },
+    Leaf {
+        name: "neighbour",
+        wgsl: "let found = neighbour(u32(a[0]), u32(a[1]), i32(a[2]), i32(a[3]));\n\
          outputs[id.x] = vec4f(vec3f(found), 0.0);",
-        in_f64!(|a| {
+        calls: Calls::in_f64(|a| {
             let at = (a[2] as i32, a[3] as i32);
             let (face, column, row) = sh_mip::neighbour(a[0] as u32, a[1] as usize, at.0, at.1);
             vec![face as f64, f64::from(column), f64::from(row)]
         }),
-        around_faces,
-        ulps(0, 0.0, "whole numbers")
-    ),
-    twin!(
-        "sh_mip_envmap",
-        "mip_taps",
-        "let taps = mip_taps(u32(a[0]), vec3f(a[1], a[2], a[3]));\n\
+        inputs: around_faces,
+        tolerance: ulps(0, 0.0, "whole numbers"),
+    },
+    Leaf {
+        name: "mip_taps",
+        wgsl: "let taps = mip_taps(u32(a[0]), vec3f(a[1], a[2], a[3]));\n\
          outputs[id.x] = vec4f(f32(taps.first), taps.u, taps.v, 0.0);",
-        over_scalars!(|a| {
+        calls: over_scalars!(|a| {
             let (first, u, v) = sh_mip::mip_taps(a[0].whole() as u32, vector(a, 1));
             vec![S::from(first as f32), u, v]
         }),
-        || {
+        inputs: || {
             let mut inputs = spread(4, -1.0, 1.0);
             for (i, a) in inputs.iter_mut().enumerate() {
                 a[0] = [1.0, 2.0, 64.0][i % 3];
             }
             inputs
         },
-        ulps(
+        tolerance: ulps(
             4,
             64.0,
-            "a division and a difference of numbers up to the texels along an edge"
-        )
-    ),
-    twin!(
-        "sh_mip_envmap",
-        "biased_level",
-        "outputs[id.x] = vec4f(biased_level(a[0], a[1], a[2], a[3]), 0.0, 0.0, 0.0);",
-        over_lanes!(|a| vec![sh_mip::biased_level(a[0], a[1], a[2], a[3])]),
-        || grid(&[
-            &[0.0, 1e-4, 0.01, 0.3, 3.0],
-            &[8.0, 64.0],
-            &[-1.0, 0.0, 2.5],
-            &[3.0, 6.0]
-        ]),
-        ulps(
+            "a division and a difference of numbers up to the texels along an edge",
+        ),
+    },
+    Leaf {
+        name: "biased_level",
+        wgsl: "outputs[id.x] = vec4f(biased_level(a[0], a[1], a[2], a[3]), 0.0, 0.0, 0.0);",
+        calls: over_lanes!(|a| vec![sh_mip::biased_level(a[0], a[1], a[2], a[3])]),
+        inputs: || {
+            grid(&[
+                &[0.0, 1e-4, 0.01, 0.3, 3.0],
+                &[8.0, 64.0],
+                &[-1.0, 0.0, 2.5],
+                &[3.0, 6.0],
+            ])
+        },
+        tolerance: ulps(
             3,
             12.0,
-            "WGSL's logarithm, of magnitude 12 at most where it is not clamped"
-        )
-    ),
+            "WGSL's logarithm, of magnitude 12 at most where it is not clamped",
+        ),
+    },
 ];
 
 /// Unit directions, with a weight of 1 for one of the harmonics.

@@ -24,7 +24,7 @@ pub(crate) fn trials() -> Vec<Trial> {
 
 /// In the first library scene that the method can run in, and that is open where openness is shown.
 fn trial(variant: Variant) -> Trial {
-    let name = format!("ladder/images/{}", variant.name());
+    let name = format!("precision_parity/images/{}", variant.name());
     let runs = |s: &&LazyLock<Subject>| {
         let open = s.cpu.scene().environment.is_some();
         let shows = open || variant.quantity != Quantity::AmbientOcclusion;

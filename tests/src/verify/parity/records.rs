@@ -1,0 +1,124 @@
+//! What `prepare` makes on the CPU and on the device of the same captures, record by record.
+
+use super::{Apart, LOBE, MethodUnderTest, Nothing, OF_A_TERM, World, sum_of, texels};
+use crate::exchange::uploaded;
+use crate::verify::VerifyError;
+use interreflect_estimators::execution::{BackendScene, LoadedScene};
+use interreflect_estimators::{Changed, Records, Tolerance};
+use interreflect_gpu::GpuContext;
+use interreflect_scene::Points;
+use std::rc::Rc;
+use std::sync::Arc;
+
+/// Compares the records of a method in a world.
+pub(super) fn in_world(
+    subject: &MethodUnderTest<'_>,
+    context: &Arc<GpuContext>,
+    world: &World,
+) -> Result<Apart, Nothing> {
+    let points = world.placed_points(subject.quantity);
+    let loaded = subject.backend.load(&world.scene())?;
+    Ok(record_parity(subject, context, &loaded, &points)?)
+}
+
+/// Compares the records of a method in a scene: the largest difference over what it may be. Its scale is
+/// the largest number of a record's column: the components of a unit vector, and coefficients that
+/// cancel, have the error of their terms.
+///
+/// # Errors
+/// [`VerifyError`] if the method can't run there, or what it makes can't be compared.
+pub fn record_parity(
+    subject: &MethodUnderTest<'_>,
+    context: &Arc<GpuContext>,
+    loaded: &LoadedScene,
+    points: &Points,
+) -> Result<Apart, VerifyError> {
+    let (method, quantity) = (subject.method, subject.quantity);
+    let mut on_host = loaded.cpu().executor(method, quantity, points)?;
+    on_host.prepare(Changed::ALL)?;
+    let captures = on_host.captures()?;
+    if !captures.depths.is_empty() {
+        let why = "depth maps are made while they are read, each backend's by itself";
+        return Err(VerifyError::NotComparable(why.into()));
+    }
+    let mut on_device = loaded.gpu()?.executor(method, quantity, points)?;
+    on_device.set_captures(Rc::new(uploaded(context, &captures)?));
+    on_device.prepare(Changed::ALL)?;
+    let (host, device) = (on_host.records()?, on_device.records()?);
+    if host.is_empty() && device.is_empty() {
+        let why = "what it prepares is not shown (Prepared::records)";
+        return Err(VerifyError::NotComparable(why.into()));
+    }
+    let mut worst = Apart {
+        of_bound: 0.0,
+        cases: 0,
+        place: String::new(),
+    };
+    if host.len() != device.len() {
+        worst.of_bound = f64::INFINITY;
+        worst.place = format!("{} lists, on the device {}", host.len(), device.len());
+    }
+    for (host, device) in host.iter().zip(&device) {
+        let apart = same(host, device, texels(&captures));
+        worst.cases += apart.cases;
+        if apart.of_bound >= worst.of_bound {
+            (worst.of_bound, worst.place) = (apart.of_bound, apart.place);
+        }
+    }
+    Ok(worst)
+}
+
+fn same(host: &Records, device: &Records, captured: f64) -> Apart {
+    let (name, width) = (host.name, host.width);
+    let mut worst = Apart {
+        of_bound: 0.0,
+        cases: host.values.len(),
+        place: name.into(),
+    };
+    if name != device.name || width != device.width || host.values.len() != device.values.len() {
+        worst.of_bound = f64::INFINITY;
+        worst.place = format!(
+            "{name}: {} numbers, on the device {} of {}",
+            host.values.len(),
+            device.values.len(),
+            device.name
+        );
+        return worst;
+    }
+    let records = (host.values.len() / width).max(1) as f64;
+    // Records of single directions share the captured texels; the others each sum over all.
+    let terms = match host.shares_captures {
+        true => captured / records,
+        false => captured,
+    };
+    for column in 0..width {
+        let of = |list: &Records| -> Vec<f64> {
+            let column = list.values.iter().skip(column).step_by(width);
+            column.map(|v| f64::from(*v)).collect()
+        };
+        let (a, b) = (of(host), of(device));
+        let scale = a.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        let tolerance = Tolerance {
+            absolute: sum_of(terms, OF_A_TERM) * scale,
+            relative: if host.has_lobes { LOBE } else { 0.0 },
+            cause: "float32 sums over the captured texels of a record",
+        };
+        for (i, (a, b)) in a.iter().zip(&b).enumerate() {
+            // Words of bits may be no numbers: they are compared as they are.
+            let same = (*a as f32).to_bits() == (*b as f32).to_bits();
+            let of_bound = if same {
+                0.0
+            } else {
+                tolerance.of_bound(*a, *b)
+            };
+            if !(of_bound <= worst.of_bound) {
+                worst.of_bound = of_bound;
+                worst.place = format!(
+                    "{name} {i}, column {column}: {a}, on the device {b} ({})",
+                    tolerance.cause
+                );
+            }
+        }
+    }
+    worst
+}
