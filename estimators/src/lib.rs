@@ -45,7 +45,7 @@ pub use backend::{Backend, Cpu, Gpu};
 pub use claims::{Answers, Claim, FormFactorLaw, PatchKernel};
 pub use error::{EstimatorError, Unsupported};
 pub use frame::{Captures, Changed, Frame, Inputs, VisibleTriangles};
-pub use method::{Estimator, Info, Kernels, Method, Prepared};
+pub use method::{Estimator, Figure, Info, Kernels, Method, Prepared, Reference};
 pub use model::OwnModel;
 pub use quantity::Quantity;
 pub use records::Records;

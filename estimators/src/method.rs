@@ -11,16 +11,68 @@ use crate::records::Records;
 use interreflect_gpu::{GpuContext, Kernel, Shader};
 use interreflect_scene::params::Params;
 use interreflect_scene::{Needs, SceneFacts};
+use std::fmt;
 
-/// What a method is called.
+/// What a method is called, and where it comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Info {
     /// Name in code, on the command line and in records: the name of its folder.
     pub id: &'static str,
     /// Title for readers.
     pub title: &'static str,
-    /// Where it comes from: authors, title, year.
-    pub source: &'static str,
+    /// What it is, in one line that begins in lower case.
+    pub summary: &'static str,
+    /// The papers that it comes from; none for what belongs to everyone.
+    pub references: &'static [Reference],
+    /// How the picture of its limits is made.
+    pub figure: Option<Figure>,
+}
+
+/// A publication.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Reference {
+    /// Authors, separated by commas.
+    pub authors: &'static str,
+    /// Title.
+    pub title: &'static str,
+    /// Journal with volume and number, or conference.
+    pub venue: &'static str,
+    /// Year of publication.
+    pub year: u32,
+    /// Digital object identifier, where it is known.
+    pub doi: Option<&'static str>,
+}
+
+impl fmt::Display for Reference {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            authors,
+            title,
+            venue,
+            year,
+            ..
+        } = self;
+        write!(f, "{authors}: {title}. {venue}, {year}")
+    }
+}
+
+/// The picture of a method's limits: the overview of a `bench` of it alone, limits.png in its folder.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Figure {
+    /// Scene of the library.
+    pub scene: &'static str,
+    /// What is shown.
+    pub quantity: Quantity,
+    /// Settings as `--set` takes them, qualified.
+    pub settings: &'static [&'static str],
+}
+
+impl Info {
+    /// The references in one line.
+    pub fn source(&self) -> String {
+        let all: Vec<String> = self.references.iter().map(Reference::to_string).collect();
+        all.join("; ")
+    }
 }
 
 /// What the paper says, wherever it runs: the parameters of a method, and what follows from them.

@@ -83,6 +83,9 @@ pub struct List {
     /// Also show what each estimator asks of a backend before it can run
     #[arg(long)]
     pub needs: bool,
+    /// Print how the picture of each estimator's limits is made: id, then arguments of `bench`
+    #[arg(long, hide = true)]
+    pub figures: bool,
     /// Print JSON
     #[arg(long)]
     pub json: bool,

@@ -2,7 +2,9 @@
 
 #![allow(clippy::unwrap_used, reason = "tests")]
 
+use interreflect_estimators::Registry;
 use interreflect_scene::params::{FieldInfo, Value};
+use std::collections::BTreeSet;
 use std::path::Path;
 
 fn root() -> &'static Path {
@@ -99,37 +101,83 @@ fn every_test_that_papers_names_exists() {
     assert!(rows_checked > 10, "only {rows_checked} rows name tests");
 }
 
-/// Set to 1 to write the tables of parameters instead of comparing them.
+/// Set to 1 to write what is made from the registry instead of comparing it.
 const WRITE: &str = "INTERREFLECT_WRITE_TABLES";
 
-const TABLE: [&str; 2] = ["<!-- parameters -->\n", "<!-- /parameters -->"];
+/// Checks, or writes, the part of a document between its marks.
+fn made(document: &str, part: &str, expected: &str) {
+    let path = root().join(document);
+    let text = std::fs::read_to_string(&path)
+        .unwrap_or_else(|e| panic!("{} is missing: {e}", path.display()));
+    let (begin, end) = (format!("<!-- {part} -->\n"), format!("<!-- /{part} -->"));
+    let (before, rest) = text
+        .split_once(&begin)
+        .unwrap_or_else(|| panic!("{document} has no place for its {part}"));
+    let (found, after) = rest.split_once(&end).unwrap();
+    if std::env::var_os(WRITE).is_some_and(|v| v == "1") {
+        let whole = [before, &begin, expected, &end, after].concat();
+        std::fs::write(&path, whole).unwrap();
+        return;
+    }
+    assert!(
+        found == expected,
+        "{document}: its {part} are not as the methods' folders have them; {WRITE}=1 cargo test \
+         -p interreflect --test documents writes them"
+    );
+}
 
 /// Every estimator has a README, with the table of its parameters as they are declared.
 #[test]
 fn readmes_have_the_parameters_as_declared() {
-    for entry in interreflect_estimators::Registry::builtin().entries() {
+    for entry in Registry::builtin().entries() {
         let id = entry.info().id;
-        let path = root().join(format!("estimators/src/{id}/README.md"));
-        let text = std::fs::read_to_string(&path)
-            .unwrap_or_else(|e| panic!("{} is missing: {e}", path.display()));
-        let (before, rest) = text
-            .split_once(TABLE[0])
-            .unwrap_or_else(|| panic!("{} has no place for its parameters", path.display()));
-        let (found, after) = rest.split_once(TABLE[1]).unwrap();
-        let declared = table(&entry.configure().values());
-        if std::env::var_os(WRITE).is_some_and(|v| v == "1") {
-            let whole = [before, TABLE[0], &declared, TABLE[1], after].concat();
-            std::fs::write(&path, whole).unwrap();
-            continue;
-        }
-        assert_eq!(
-            found,
-            declared,
-            "{}: the parameters are declared otherwise; {WRITE}=1 cargo test -p interreflect \
-             --test documents writes the table",
-            path.display()
+        let readme = format!("estimators/src/{id}/README.md");
+        made(&readme, "parameters", &table(&entry.configure().values()));
+    }
+}
+
+#[test]
+fn the_readme_has_a_row_for_each_estimator() {
+    let mut rows = String::from("| estimator | what it is | from |\n|---|---|---|\n");
+    for entry in Registry::builtin().entries() {
+        let info = entry.info();
+        let from = info.references.iter().map(|r| {
+            let year = r.year;
+            match r.doi {
+                Some(doi) => format!("[{year}](https://doi.org/{doi})"),
+                None => year.to_string(),
+            }
+        });
+        let from: Vec<String> = from.collect();
+        rows += &format!(
+            "| [`{0}`](estimators/src/{0}/README.md) | {1} | {2} |\n",
+            info.id,
+            info.summary,
+            from.join(", ")
         );
     }
+    made("README.md", "estimators", &rows);
+}
+
+/// PAPERS.md has the section of each method's PAPER.md, and the publications that methods name.
+#[test]
+fn papers_has_the_sections_and_the_references_of_all_methods() {
+    let (mut sections, mut references) = (String::from("\n"), BTreeSet::new());
+    for entry in Registry::builtin().entries() {
+        let info = entry.info();
+        let paper = root().join(format!("estimators/src/{}/PAPER.md", info.id));
+        if let Ok(section) = std::fs::read_to_string(paper) {
+            sections += &format!("{section}\n");
+        }
+        references.extend(info.references);
+    }
+    made("PAPERS.md", "methods", &sections);
+    let mut list = String::from("\n## References\n\n");
+    for reference in references {
+        let doi = reference.doi.map(|doi| format!(". https://doi.org/{doi}"));
+        list += &format!("- {reference}{}\n", doi.unwrap_or_default());
+    }
+    made("PAPERS.md", "references", &format!("{list}\n"));
 }
 
 /// Parameters as a table in Markdown.
@@ -169,6 +217,9 @@ fn links_between_documents_lead_somewhere() {
             .skip(1)
             .filter_map(|rest| rest.split(')').next())
         {
+            if target.starts_with("https://") {
+                continue;
+            }
             let target = root().join(target);
             assert!(target.exists(), "{document} links to {}", target.display());
         }

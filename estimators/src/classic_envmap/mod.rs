@@ -10,7 +10,7 @@ mod params;
 
 use crate::convolution::{self, Sizes};
 use crate::leaves::Leaves;
-use crate::{Claim, Info, Method, OwnModel, Quantity, Unsupported};
+use crate::{Claim, Figure, Info, Method, OwnModel, Quantity, Reference, Unsupported};
 use interreflect_scene::{CubeSpec, Needs, SceneFacts};
 
 pub use params::ClassicEnvmap;
@@ -19,8 +19,28 @@ impl Method for ClassicEnvmap {
     const INFO: Info = Info {
         id: "classic_envmap",
         title: "Classic environment map",
-        source: "G. Miller, R. Hoffman: Illumination and Reflection Maps; N. Greene: Environment \
-                 Mapping and Other Applications of World Projections",
+        summary: "what is seen from the reference point, taken to be infinitely far away",
+        references: &[
+            Reference {
+                authors: "G. S. Miller, C. R. Hoffman",
+                title: "Illumination and Reflection Maps: Simulated Objects in Simulated and Real Environments",
+                venue: "SIGGRAPH course notes",
+                year: 1984,
+                doi: None,
+            },
+            Reference {
+                authors: "N. Greene",
+                title: "Environment Mapping and Other Applications of World Projections",
+                venue: "IEEE Computer Graphics and Applications 6(11)",
+                year: 1986,
+                doi: Some("10.1109/MCG.1986.276658"),
+            },
+        ],
+        figure: Some(Figure {
+            scene: "colored-room",
+            quantity: Quantity::GlossyRadiance,
+            settings: &["scene.receiver.place=wall"],
+        }),
     };
 
     const QUANTITIES: &'static [Quantity] = &[Quantity::Irradiance, Quantity::GlossyRadiance];

@@ -9,7 +9,7 @@ pub mod math;
 mod params;
 
 use crate::leaves::Leaves;
-use crate::{Claim, Info, Method, OwnModel, Quantity, Unsupported};
+use crate::{Claim, Figure, Info, Method, OwnModel, Quantity, Unsupported};
 use interreflect_scene::{CubeSpec, Needs, SceneFacts};
 
 pub use params::ConstantAmbient;
@@ -18,7 +18,13 @@ impl Method for ConstantAmbient {
     const INFO: Info = Info {
         id: "constant_ambient",
         title: "Constant ambient light",
-        source: "The ambient term of local illumination models, with its value measured",
+        summary: "the mean radiance seen from the reference point, from everywhere; the template for a new method",
+        references: &[],
+        figure: Some(Figure {
+            scene: "cornell-box",
+            quantity: Quantity::Irradiance,
+            settings: &[],
+        }),
     };
 
     const QUANTITIES: &'static [Quantity] = &[Quantity::Irradiance, Quantity::GlossyRadiance];

@@ -11,7 +11,7 @@ mod params;
 mod samples;
 
 use crate::leaves::Leaves;
-use crate::{Claim, Info, Method, OwnModel, Quantity, Unsupported};
+use crate::{Claim, Figure, Info, Method, OwnModel, Quantity, Reference, Unsupported};
 use interreflect_scene::params::Fidelity;
 use interreflect_scene::{LightViewChannels, LightViewSpec, Needs, SceneFacts};
 
@@ -21,7 +21,19 @@ impl Method for DirectRadianceMap {
     const INFO: Info = Info {
         id: "direct_radiance_map",
         title: "Direct radiance maps",
-        source: "J. R. Frisvad, R. R. Frisvad, N. J. Christensen, P. Falster: Direct Radiance Mapping",
+        summary: "a few texels of reflective shadow maps (RSMs) light every point",
+        references: &[Reference {
+            authors: "J. R. Frisvad, R. R. Frisvad, N. J. Christensen, P. Falster",
+            title: "Scene Independent Real-Time Indirect Illumination (Direct Radiance Mapping)",
+            venue: "Computer Graphics International",
+            year: 2005,
+            doi: Some("10.1109/CGI.2005.1500412"),
+        }],
+        figure: Some(Figure {
+            scene: "cornell-box",
+            quantity: Quantity::Irradiance,
+            settings: &["direct_radiance_map.samples_per_side=5"],
+        }),
     };
 
     const QUANTITIES: &'static [Quantity] = &[Quantity::Irradiance, Quantity::GlossyRadiance];

@@ -16,7 +16,8 @@ mod worklist;
 
 use crate::leaves::Leaves;
 use crate::{
-    Backend, Claim, EstimatorError, Info, Inputs, Method, OwnModel, Quantity, Unsupported,
+    Backend, Claim, EstimatorError, Figure, Info, Inputs, Method, OwnModel, Quantity, Reference,
+    Unsupported,
 };
 use environment::Blurred;
 use glam::DVec3;
@@ -32,8 +33,19 @@ impl Method for DirectionalAo {
     const INFO: Info = Info {
         id: "directional_ao",
         title: "Ambient occlusion from many directions",
-        source: "M. Sattler, R. Sarlette, G. Zachmann, R. Klein: Hardware-accelerated Ambient \
-                 Occlusion Computation",
+        summary: "openness, and the irradiance of an occluded environment, from depth maps along k directions",
+        references: &[Reference {
+            authors: "M. Sattler, R. Sarlette, G. Zachmann, R. Klein",
+            title: "Hardware-accelerated Ambient Occlusion Computation",
+            venue: "Vision, Modeling and Visualization",
+            year: 2004,
+            doi: None,
+        }],
+        figure: Some(Figure {
+            scene: "studio",
+            quantity: Quantity::AmbientOcclusion,
+            settings: &[],
+        }),
     };
 
     const QUANTITIES: &'static [Quantity] = &[Quantity::AmbientOcclusion, Quantity::Irradiance];

@@ -14,7 +14,7 @@ mod tables;
 use crate::leaves::Leaves;
 use crate::texels;
 use crate::texels::average::{Averaging, Tables};
-use crate::{Claim, Info, Method, OwnModel, Quantity, Unsupported};
+use crate::{Claim, Figure, Info, Method, OwnModel, Quantity, Reference, Unsupported};
 use interreflect_scene::conventions::{cube_vector, texel_centre, texel_solid_angle_sr};
 use interreflect_scene::params::Fidelity;
 use interreflect_scene::{CubeSpec, Needs, SceneFacts};
@@ -25,7 +25,19 @@ impl Method for LocalizedCubemap {
     const INFO: Info = Info {
         id: "localized_cubemap",
         title: "Localized cube map",
-        source: "L. Szirmay-Kalos, I. Lazányi: Indirect Diffuse and Glossy Illumination on the GPU",
+        summary: "a cube map with distances: its texels are discs at their surfaces, seen from the shaded point",
+        references: &[Reference {
+            authors: "L. Szirmay-Kalos, I. Lazányi",
+            title: "Indirect Diffuse and Glossy Illumination on the GPU",
+            venue: "Spring Conference on Computer Graphics",
+            year: 2006,
+            doi: None,
+        }],
+        figure: Some(Figure {
+            scene: "cornell-box",
+            quantity: Quantity::Irradiance,
+            settings: &[],
+        }),
     };
 
     const QUANTITIES: &'static [Quantity] = &[Quantity::Irradiance, Quantity::GlossyRadiance];

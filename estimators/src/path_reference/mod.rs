@@ -5,8 +5,8 @@ mod claims;
 mod params;
 
 use crate::{
-    Claim, Cpu, CpuOnly, Estimator, EstimatorError, Frame, Info, Method, OwnModel, Prepared,
-    Quantity, Unsupported,
+    Claim, Cpu, CpuOnly, Estimator, EstimatorError, Figure, Frame, Info, Method, OwnModel,
+    Prepared, Quantity, Reference, Unsupported,
 };
 use interreflect_cpu::path_tracer::{PathQuantity, REPLICATES, Stop, mean_of_samples, trace};
 use interreflect_scene::{Needs, SceneFacts};
@@ -17,8 +17,28 @@ impl Method for PathReference {
     const INFO: Info = Info {
         id: "path_reference",
         title: "Path-traced reference",
-        source: "J. Kajiya: The Rendering Equation; E. Veach, L. Guibas: Optimally Combining \
-                 Sampling Techniques for Monte Carlo Rendering",
+        summary: "path tracing with selectable light paths (CPU)",
+        references: &[
+            Reference {
+                authors: "J. T. Kajiya",
+                title: "The Rendering Equation",
+                venue: "SIGGRAPH",
+                year: 1986,
+                doi: Some("10.1145/15922.15902"),
+            },
+            Reference {
+                authors: "E. Veach, L. J. Guibas",
+                title: "Optimally Combining Sampling Techniques for Monte Carlo Rendering",
+                venue: "SIGGRAPH",
+                year: 1995,
+                doi: Some("10.1145/218380.218498"),
+            },
+        ],
+        figure: Some(Figure {
+            scene: "cornell-box",
+            quantity: Quantity::Irradiance,
+            settings: &["path_reference.samples=16"],
+        }),
     };
 
     const QUANTITIES: &'static [Quantity] = &[

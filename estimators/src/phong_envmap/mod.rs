@@ -8,7 +8,7 @@ mod gpu;
 mod params;
 
 use crate::convolution::{self, Sizes};
-use crate::{Claim, Info, Method, OwnModel, Quantity, Unsupported};
+use crate::{Claim, Figure, Info, Method, OwnModel, Quantity, Reference, Unsupported};
 use interreflect_scene::{CubeSpec, Needs, SceneFacts};
 
 pub use params::PhongEnvmap;
@@ -17,8 +17,19 @@ impl Method for PhongEnvmap {
     const INFO: Info = Info {
         id: "phong_envmap",
         title: "Phong-filtered environment map",
-        source: "J. Kautz, K. Daubert, H.-P. Seidel: Advanced Environment Mapping in VR \
-                 Applications (what it is compared with)",
+        summary: "a prefiltered environment map, one Phong lobe: what Kautz et al. compare theirs with",
+        references: &[Reference {
+            authors: "J. Kautz, K. Daubert, H.-P. Seidel",
+            title: "Advanced Environment Mapping in VR Applications",
+            venue: "Computers & Graphics 28(1)",
+            year: 2004,
+            doi: None,
+        }],
+        figure: Some(Figure {
+            scene: "studio",
+            quantity: Quantity::GlossyRadiance,
+            settings: &[],
+        }),
     };
 
     const QUANTITIES: &'static [Quantity] = &[Quantity::Irradiance, Quantity::GlossyRadiance];

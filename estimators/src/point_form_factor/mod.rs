@@ -12,7 +12,7 @@ mod params;
 use crate::leaves::Leaves;
 use crate::texels;
 use crate::texels::average::{Averaging, Tables};
-use crate::{Claim, Info, Method, OwnModel, Quantity, Unsupported};
+use crate::{Claim, Figure, Info, Method, OwnModel, Quantity, Reference, Unsupported};
 use interreflect_scene::conventions::texel_solid_angle_sr;
 use interreflect_scene::{CubeSpec, Needs, SceneFacts};
 
@@ -22,7 +22,19 @@ impl Method for PointFormFactor {
     const INFO: Info = Info {
         id: "point_form_factor",
         title: "Point-to-point form factors",
-        source: "A. Keller: Instant Radiosity",
+        summary: "those texels as virtual point lights: the baseline that spikes",
+        references: &[Reference {
+            authors: "A. Keller",
+            title: "Instant Radiosity",
+            venue: "SIGGRAPH",
+            year: 1997,
+            doi: Some("10.1145/258734.258769"),
+        }],
+        figure: Some(Figure {
+            scene: "cornell-box",
+            quantity: Quantity::Irradiance,
+            settings: &[],
+        }),
     };
 
     const QUANTITIES: &'static [Quantity] = &[Quantity::Irradiance, Quantity::GlossyRadiance];

@@ -13,7 +13,7 @@ mod params;
 use crate::leaves::Leaves;
 use crate::texels;
 use crate::texels::average::{Averaging, Tables};
-use crate::{Claim, Info, Method, OwnModel, Quantity, Unsupported};
+use crate::{Claim, Figure, Info, Method, OwnModel, Quantity, Reference, Unsupported};
 use interreflect_scene::params::Fidelity;
 use interreflect_scene::{CubeSpec, Needs, SceneFacts};
 
@@ -23,7 +23,23 @@ impl Method for PolygonFormFactor {
     const INFO: Info = Info {
         id: "polygon_form_factor",
         title: "Polygon-to-point form factors",
-        source: "T. Umenhoffer, L. Szirmay-Kalos: Robust Diffuse Final Gathering on the GPU",
+        summary: "the texels of a cube map with distances as quadrilaterals, by polygon-to-point form factors",
+        references: &[Reference {
+            authors: "T. Umenhoffer, L. Szirmay-Kalos",
+            title: "Robust Diffuse Final Gathering on the GPU",
+            venue: "WSCG",
+            year: 2007,
+            doi: None,
+        }],
+        figure: Some(Figure {
+            scene: "divided-room",
+            quantity: Quantity::Irradiance,
+            settings: &[
+                "polygon_form_factor.resolution=8",
+                "polygon_form_factor.bounces=8",
+                "scene.reference=passage",
+            ],
+        }),
     };
 
     const QUANTITIES: &'static [Quantity] = &[Quantity::Irradiance];

@@ -13,7 +13,8 @@ mod tables;
 
 use crate::leaves::Leaves;
 use crate::{
-    Backend, Claim, EstimatorError, Info, Inputs, Method, OwnModel, Quantity, Unsupported,
+    Backend, Claim, EstimatorError, Figure, Info, Inputs, Method, OwnModel, Quantity, Reference,
+    Unsupported,
 };
 use glam::Vec3;
 use interreflect_scene::{CubeSpec, Needs, SceneFacts};
@@ -24,8 +25,19 @@ impl Method for ShMipEnvmap {
     const INFO: Info = Info {
         id: "sh_mip_envmap",
         title: "Spherical harmonics and mip pyramid",
-        source: "J. Kautz, K. Daubert, H.-P. Seidel: Advanced Environment Mapping in VR \
-                 Applications",
+        summary: "an environment map as nine spherical harmonics and a mip pyramid",
+        references: &[Reference {
+            authors: "J. Kautz, K. Daubert, H.-P. Seidel",
+            title: "Advanced Environment Mapping in VR Applications",
+            venue: "Computers & Graphics 28(1)",
+            year: 2004,
+            doi: None,
+        }],
+        figure: Some(Figure {
+            scene: "studio",
+            quantity: Quantity::GlossyRadiance,
+            settings: &["sh_mip_envmap.lod=5", "sh_mip_envmap.f_lambda=1"],
+        }),
     };
 
     const QUANTITIES: &'static [Quantity] = &[Quantity::Irradiance, Quantity::GlossyRadiance];

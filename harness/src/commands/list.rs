@@ -10,8 +10,23 @@ use interreflect_scene::params::{FieldInfo, Value};
 use interreflect_scene::{DirectionalDepthSpec, Needs, Scene};
 use serde_json::{Map, Value as Json, json};
 
+/// One line for each method with a figure: its id, scene, quantity and settings.
+fn print_figures(methods: &[Box<dyn Configured>]) -> Result<(), HarnessError> {
+    for info in methods.iter().map(|method| method.info()) {
+        let Some(figure) = &info.figure else { continue };
+        let words = [info.id, figure.scene, figure.quantity.name()];
+        let settings = figure.settings.iter().copied();
+        let line: Vec<&str> = words.into_iter().chain(settings).collect();
+        print_line(&line.join(" "))?;
+    }
+    Ok(())
+}
+
 pub(super) fn run(command: &List, registry: Registry) -> Result<(), HarnessError> {
     let methods: Vec<_> = registry.entries().iter().map(|e| e.configure()).collect();
+    if command.figures {
+        return print_figures(&methods);
+    }
     let needs = match command.needs {
         true => Some(needs_of_all(&methods)?),
         false => None,
@@ -30,8 +45,11 @@ pub(super) fn run(command: &List, registry: Registry) -> Result<(), HarnessError
         let info = method.info();
         print_line(&format!(
             "  {:<20} {}: {}",
-            info.id, info.title, info.source
+            info.id, info.title, info.summary
         ))?;
+        for reference in info.references {
+            print_line(&format!("      {reference}"))?;
+        }
         let quantities: Vec<_> = method.quantities().iter().map(|q| q.name()).collect();
         let backends = backends(&registry, info.id).join(", ");
         print_line(&format!("      {} on {backends}", quantities.join(", ")))?;
@@ -173,7 +191,7 @@ fn as_json(
         .iter()
         .map(|m| {
             let quantities: Vec<_> = m.quantities().iter().map(|q| q.name()).collect();
-            json!({"id": m.info().id, "title": m.info().title, "source": m.info().source,
+            json!({"id": m.info().id, "title": m.info().title, "summary": m.info().summary, "source": m.info().source(),
                    "quantities": quantities, "backends": backends(registry, m.info().id), "params": fields(m.values())})
         })
         .collect();

@@ -28,7 +28,9 @@ impl Method for Boastful {
     const INFO: Info = Info {
         id: "boastful",
         title: "Twice the brightest",
-        source: "an example of claims that are false",
+        summary: "twice the brightest radiance from everywhere: its claims are false",
+        references: &[],
+        figure: None,
     };
 
     const QUANTITIES: &'static [Quantity] = &[Quantity::Irradiance];

@@ -48,7 +48,9 @@ impl Method for HemisphereAmbient {
     const INFO: Info = Info {
         id: "hemisphere_ambient",
         title: "Hemisphere ambient light",
-        source: "an example",
+        summary: "the mean radiance from above and from below, blended by the normal",
+        references: &[],
+        figure: None,
     };
 
     const QUANTITIES: &'static [Quantity] = &[Quantity::Irradiance];
