@@ -1,5 +1,5 @@
 # make bench    measure every estimator and write results/report.html
-# make test     run all tests, with the GPU backend on a software driver if need be
+# make test     run all tests, with the GPU backend on a software driver if need be, and count them
 # make mutants  plant bugs one by one and write tests/mutants/RESULTS.md: which tests notice (half an hour)
 # make assets   fetch public models and environment maps into assets/
 #
@@ -14,7 +14,7 @@ bench: setup
 	$(CARGO) run --release --package interreflect -- bench --out $(OUT)
 
 test: setup
-	$(CARGO) test --workspace
+	@CARGO="$(CARGO)" ./scripts/test.sh
 
 mutants: setup
 	@CARGO="$(CARGO)" ./scripts/mutants.sh

@@ -106,6 +106,8 @@ impl CpuCx {
             .num_threads(threads.unwrap_or(0))
             .thread_name(|i| format!("interreflect-{i}"))
             .build()?;
+        // Each thread has started: none takes memory of its own, or time, from what is measured later.
+        pool.broadcast(|_| ());
         Ok(Self {
             pool: Arc::new(pool),
             instruction_set,

@@ -68,8 +68,9 @@ fn the_number_of_threads_does_not_change_a_bit() {
             })
         };
         let one = run(1);
-        assert_eq!(one, run(2));
-        assert_eq!(one, run(3));
+        for threads in [2, 3] {
+            assert!(one == run(threads), "{threads} threads give other bits");
+        }
         assert_eq!(one.samples, 512);
         // Rounds do not change what is sampled.
         let at_once = trace(

@@ -9,8 +9,8 @@ use std::time::Duration;
 const CHUNK: u64 = 16 << 20;
 
 /// Time that a mapping may still take once the copy is done: another thread that waits for the
-/// device may have taken the notice, and passes it on.
-const PATIENCE: Duration = Duration::from_secs(10);
+/// device may have taken the notice, and passes it on when it has its turn on the processor.
+const PATIENCE: Duration = Duration::from_secs(120);
 
 /// The buffer that everything is read back through; made at the first read, grown up to [`CHUNK`].
 #[derive(Default)]

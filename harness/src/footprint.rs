@@ -44,8 +44,8 @@ mod tests {
 
     #[test]
     fn what_goes_is_counted() {
-        let bytes = freed(vec![0_u64; 1 << 20]);
-        // Other tests run beside this one.
-        assert!((7 << 20..9 << 20).contains(&bytes), "{bytes}");
+        // Other tests take and return memory beside this one, but not in each of these moments.
+        let found: Vec<u64> = (0..1000).map(|_| freed(vec![0_u64; 1 << 20])).collect();
+        assert!(found.contains(&(8 << 20)), "{:?}", &found[..20]);
     }
 }

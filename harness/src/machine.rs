@@ -181,6 +181,8 @@ mod tests {
     #[test]
     fn a_folder_outside_any_checkout_has_no_commit() {
         let folder = tempfile::tempdir().unwrap();
+        // Where the folder for temporary files lies in a checkout, git looks no further than here.
+        std::fs::write(folder.path().join(".git"), "").unwrap();
         let source = Source::of(folder.path());
         assert_eq!((source.commit.as_str(), source.dirty), ("unknown", None));
     }
@@ -193,8 +195,13 @@ mod tests {
             eprintln!("skipped: git is not installed");
             return;
         }
-        let identity = ["-c", "user.name=a", "-c", "user.email=a@b.invalid"];
-        let commit = [&identity[..], &["commit", "-q", "--allow-empty", "-m", "x"]].concat();
+        let own = [
+            "user.name=a",
+            "user.email=a@b.invalid",
+            "commit.gpgsign=false",
+        ];
+        let own = own.map(|setting| ["-c", setting]).concat();
+        let commit = [&own[..], &["commit", "-q", "--allow-empty", "-m", "x"]].concat();
         run(&commit).unwrap();
         let clean = Source::of(folder.path());
         assert_eq!((clean.commit.len(), clean.dirty), (40, Some(false)));

@@ -2,6 +2,7 @@
 use super::*;
 use crate::machine::Machine;
 use interreflect_scene::params::Value;
+use serde_json::json;
 
 fn comparison() -> Comparison {
     Comparison {
@@ -128,8 +129,16 @@ fn json_has_the_contract_s_keys() {
 #[test]
 fn parameters_keep_their_order_and_types() {
     let text = serde_json::to_string(&run().params).unwrap();
-    let expected = r#"{"resolution":4,"clamp":0.1,"fidelity":"published","table":false}"#;
-    assert_eq!(text, expected);
+    let json: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let entries = json.as_object().unwrap().iter();
+    let expected = [
+        ("resolution", json!(4)),
+        ("clamp", json!(0.1)),
+        ("fidelity", json!("published")),
+        ("table", json!(false)),
+    ];
+    let entries: Vec<_> = entries.map(|(n, v)| (n.as_str(), v.clone())).collect();
+    assert_eq!(entries, expected);
     assert_eq!(
         serde_json::from_str::<ParamMap>(&text).unwrap(),
         run().params

@@ -33,11 +33,9 @@ fn footprints_are_the_larger_turn_to_a_neighbour() {
 }
 
 /// A floor before an upright mirror, from a file.
-fn mirrored_floor(name: &str) -> CpuScene {
-    let file = std::env::temp_dir().join(format!(
-        "interreflect-view-{name}-{}.toml",
-        std::process::id()
-    ));
+fn mirrored_floor() -> CpuScene {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("floor.toml");
     let text = r#"
         [camera]
         eye = [0.0, 1.0, 3.0]
@@ -57,16 +55,15 @@ fn mirrored_floor(name: &str) -> CpuScene {
         translate = [0.0, 2.0, 0.0]
         material = { albedo = [0.0, 0.0, 0.0], specular = [0.5, 0.25, 1.0], mirror = true }
     "#;
-    std::fs::write(&file, text).expect("a writable folder for temporary files");
+    std::fs::write(&file, text).expect("a writable folder");
     let request = interreflect_scene::SceneRequest::new(file.to_string_lossy());
     let scene = interreflect_scene::open(&request).expect("a scene");
-    std::fs::remove_file(&file).ok();
     CpuScene::new(&scene).expect("a scene that the CPU takes")
 }
 
 #[test]
 fn mirrors_show_what_is_asked() {
-    let scene = mirrored_floor("mirrors");
+    let scene = mirrored_floor();
     let camera = scene.scene().camera;
     let view = |mirrors| {
         let look = Look {
@@ -106,7 +103,7 @@ fn mirrors_show_what_is_asked() {
 
 #[test]
 fn vertices_interpolate_over_their_triangles() {
-    let scene = mirrored_floor("vertices");
+    let scene = mirrored_floor();
     let camera = scene.scene().camera;
     let look = Look {
         at: ShadedAt::Vertices,

@@ -18,6 +18,10 @@ use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 use tokio::runtime::Runtime;
 
+/// The longest that a browser may take to start or to answer. It answers at once, but on a machine that
+/// is busy with something else it may have to wait for its turn.
+const PATIENCE: Duration = Duration::from_secs(180);
+
 /// Something that is tried in a page.
 pub(crate) type Check = fn(&Tab) -> Result<(), Failed>;
 
@@ -44,6 +48,8 @@ pub(crate) fn config(profile: &Path) -> Result<BrowserConfig, String> {
         .window_size(1440, 900)
         .viewport(None)
         .user_data_dir(profile)
+        .launch_timeout(PATIENCE)
+        .request_timeout(PATIENCE)
         .args([
             "disable-gpu",
             "disable-quic",
@@ -129,6 +135,11 @@ impl Tab {
     }
 
     fn verdict(&self) -> Result<(), Failed> {
+        // Events are heard on another thread, which may come after what is asked here.
+        let end = Instant::now() + PATIENCE;
+        while !self.heard.lock().unwrap().own_file && Instant::now() < end {
+            std::thread::sleep(Duration::from_millis(20));
+        }
         let heard = self.heard.lock().unwrap();
         match (heard.own_file, heard.complaints.is_empty()) {
             (true, true) => Ok(()),
@@ -160,7 +171,7 @@ impl Tab {
 
     /// Waits until an expression is true in the page.
     pub(crate) fn wait(&self, expression: &str) -> Result<(), Failed> {
-        let end = Instant::now() + Duration::from_secs(20);
+        let end = Instant::now() + PATIENCE;
         // While a page loads anew there is nothing to ask.
         while self.value(expression).ok() != Some(true.into()) {
             if Instant::now() > end {

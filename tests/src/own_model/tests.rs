@@ -11,7 +11,8 @@ use interreflect_scene::{Environment, Mesh, Point, Role, Scene, SurfaceMaterial}
 use std::f64::consts::PI;
 use std::path::Path;
 
-const SHARED_POINTS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../shared/points");
+/// The points with known answers.
+const POINTS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/points");
 
 const SAMPLES: Stop = Stop {
     samples: Some(4096),
@@ -26,23 +27,19 @@ fn values(model: OwnModel, quantity: Quantity, scene: &Scene, points: &[Point]) 
     evaluate(&cx, model, quantity, &scene, &points, &SAMPLES, 7)
 }
 
-/// The box with six constant walls, or `None` with a printed reason.
-fn room() -> Option<Scene> {
-    let path = Path::new(SHARED_POINTS).join("room.obj");
-    if !path.exists() {
-        println!("not run: {} is not there", path.display());
-        return None;
-    }
+/// The box with six constant walls.
+fn room() -> Scene {
+    let path = Path::new(POINTS).join("room.obj");
     let request = SceneRequest {
         reference_point: Some(Vec3::new(0.2, -0.1, 0.3)),
         ..SceneRequest::new(path.to_string_lossy())
     };
-    Some(open(&request).unwrap())
+    open(&request).unwrap()
 }
 
 /// Points of `room.csv`: group, point, exact irradiance, irradiance of the environment at infinity.
 fn room_points() -> Vec<(String, Point, f64, f64)> {
-    let text = std::fs::read_to_string(Path::new(SHARED_POINTS).join("room.csv")).unwrap();
+    let text = std::fs::read_to_string(Path::new(POINTS).join("room.csv")).unwrap();
     let row = |line: &str| {
         let (group, numbers) = line.split_once(',').unwrap();
         let v: Vec<f64> = numbers.split(',').map(|n| n.parse().unwrap()).collect();
@@ -59,7 +56,7 @@ fn room_points() -> Vec<(String, Point, f64, f64)> {
 
 #[test]
 fn reproduces_exact_irradiance_in_a_box() {
-    let Some(scene) = room() else { return };
+    let scene = room();
     let rows = room_points();
     let points: Vec<Point> = rows.iter().map(|r| r.1).collect();
     let check = |model, exact: fn(&(String, Point, f64, f64)) -> f64, tolerance: Tolerance| {
@@ -205,13 +202,9 @@ fn reflectance(point: &Point) -> f64 {
 /// The box of `drm.csv`: what a spot light meets first, against the exact irradiance.
 #[test]
 fn reproduces_exact_irradiance_from_what_a_light_meets() {
-    let path = Path::new(SHARED_POINTS).join("drm.toml");
-    if !path.exists() {
-        println!("not run: {} is not there", path.display());
-        return;
-    }
+    let path = Path::new(POINTS).join("drm.toml");
     let scene = open(&SceneRequest::new(path.to_string_lossy())).unwrap();
-    let text = std::fs::read_to_string(Path::new(SHARED_POINTS).join("drm.csv")).unwrap();
+    let text = std::fs::read_to_string(Path::new(POINTS).join("drm.csv")).unwrap();
     let rows: Vec<(Point, f64)> = text
         .lines()
         .skip(1)
@@ -243,7 +236,7 @@ fn reproduces_exact_irradiance_from_what_a_light_meets() {
 
 #[test]
 fn glossy_radiance_in_a_box_agrees_with_the_path_tracer() {
-    let Some(scene) = room() else { return };
+    let scene = room();
     let shiny = |(_, point, ..): &(String, Point, f64, f64)| Point {
         view: (point.normal + 0.5 * point.normal.any_orthonormal_vector()).normalize(),
         material: SurfaceMaterial {

@@ -4,6 +4,7 @@
 //! `INTERREFLECT_REQUIRE_GPU=1` they then fail.
 
 mod bounces;
+mod brief;
 mod costs;
 mod environment_maps;
 mod errata;
@@ -33,6 +34,10 @@ use libtest_mimic::{Arguments, Trial};
 fn main() {
     let arguments = Arguments::from_args();
     let trials: Vec<Trial> = [
+        vec![Trial::test(
+            "messages_fit_a_screen",
+            brief::messages_fit_a_screen,
+        )],
         shaders::trials(),
         leaf_parity::trials(),
         rules::trials(),
@@ -60,12 +65,12 @@ fn main() {
     libtest_mimic::run(&arguments, trials).exit();
 }
 
-/// Fails with a message unless the condition holds.
+/// Fails with a message, of a screen at most, unless the condition holds.
 macro_rules! ensure {
     ($condition:expr, $($message:tt)*) => {
         let holds: bool = $condition;
         if !holds {
-            return Err(format!($($message)*).into());
+            return Err($crate::brief::brief(&format!($($message)*)).into());
         }
     };
 }

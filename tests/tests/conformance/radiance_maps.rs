@@ -1,4 +1,4 @@
-//! Pictures from the lights: the public point set, what the paper's solid angles do, and mirrors.
+//! Pictures from the lights: `tests/points/drm.csv`, what the paper's solid angles do, and mirrors.
 
 mod mirrors;
 mod model;

@@ -1,6 +1,6 @@
-//! The public point set with its columns.
+//! The points of `tests/points/room.csv` with their columns.
 
-use crate::subjects::{ROOM_ORIGIN, Subject, shared_points};
+use crate::subjects::{ROOM_ORIGIN, Subject, points_file};
 use glam::{DVec3, Vec3};
 use interreflect_scene::{Point, PointLayout, Points, SceneRequest, open};
 use libtest_mimic::Failed;
@@ -18,15 +18,13 @@ pub(crate) struct Room {
     pub(crate) subject: Subject,
 }
 
-/// The point set, if it is there.
-pub(crate) static ROOM: LazyLock<Option<Room>> = LazyLock::new(|| {
-    let folder = shared_points()?;
-    Some(Room::open(&folder).expect("a readable point set"))
-});
+/// The point set.
+pub(crate) static ROOM: LazyLock<Room> =
+    LazyLock::new(|| Room::open().expect("a readable point set"));
 
 impl Room {
-    fn open(folder: &std::path::Path) -> Result<Self, Failed> {
-        let mut reader = csv::Reader::from_path(folder.join("room.csv"))?;
+    fn open() -> Result<Self, Failed> {
+        let mut reader = csv::Reader::from_path(points_file("room.csv"))?;
         let header = reader.headers()?.clone();
         let mut columns: BTreeMap<String, Vec<f64>> = BTreeMap::new();
         let mut groups = Vec::new();
@@ -49,13 +47,13 @@ impl Room {
         let points = Points::new(PointLayout::Surface, points);
         let scene = open(&SceneRequest {
             reference_point: Some(ROOM_ORIGIN),
-            ..SceneRequest::new(folder.join("room.obj").to_string_lossy())
+            ..SceneRequest::new(points_file("room.obj").to_string_lossy())
         })?;
         Ok(Self {
             points,
             groups,
             columns,
-            readme: std::fs::read_to_string(folder.join("README.md"))?,
+            readme: std::fs::read_to_string(points_file("README.md"))?,
             subject: Subject::new("room", &scene, Vec::new()),
         })
     }

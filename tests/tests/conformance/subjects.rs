@@ -9,7 +9,7 @@ use interreflect_scene::{
     Environment, Estimate, LatLongImage, Point, PointLayout, Points, Scene, SceneRequest,
     SurfaceMaterial,
 };
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, LazyLock};
 
 /// A scene with points.
@@ -86,10 +86,10 @@ pub(crate) static SUBJECTS: [LazyLock<Subject>; 5] = [
     }),
 ];
 
-/// Reference point of the box of ../shared/points.
+/// Reference point of the box of `tests/points/`.
 pub(crate) const ROOM_ORIGIN: Vec3 = Vec3::new(0.2, -0.1, 0.3);
 
-/// Radiances of the walls of the box of ../shared/points.
+/// Radiances of the walls of the box of `tests/points/`.
 pub(crate) const ROOM_RADIANCES: [f32; 6] = [1.0, 0.2, 0.5, 0.8, 0.3, 0.6];
 
 /// The box [−1, 1]³ with walls that emit inwards, in the order of cube faces.
@@ -163,10 +163,11 @@ pub(crate) fn inside(count: usize) -> Vec<Option<Point>> {
     (0..count).map(point).collect()
 }
 
-/// The public point sets, where they are there.
-pub(crate) fn shared_points() -> Option<PathBuf> {
-    let folder = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../shared/points"));
-    folder.join("room.csv").exists().then_some(folder)
+/// A file of `tests/points/`.
+pub(crate) fn points_file(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("points")
+        .join(name)
 }
 
 /// Whether two estimates are the same, bit by bit.

@@ -24,7 +24,9 @@ const VERTICES: Look = Look {
 const AO: Quantity = Quantity::AmbientOcclusion;
 
 pub(crate) fn trials() -> Vec<Trial> {
-    let mut trials = Vec::new();
+    let mut trials = vec![on_gpu("visibility/ways_agree/blob".into(), |context| {
+        ways_agree(context, "blob".as_ref())
+    })];
     for model in ["bunny", "dragon"] {
         let name = format!("visibility/ways_agree/{model}");
         let file = PathBuf::from(concat!(

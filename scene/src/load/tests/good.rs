@@ -1,7 +1,7 @@
 use super::{Folder, TRIANGLE, shared};
 use crate::{Camera, Light, Role, Scene, SceneRequest, SpotShape, open, open_points};
 use glam::Vec3;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 fn open_path(path: &Path) -> Scene {
     open(&SceneRequest::new(path.to_string_lossy())).unwrap()
@@ -215,24 +215,40 @@ fn the_measured_box_is_framed_as_published() {
     );
 }
 
+/// A file of the points with known answers.
+fn known(name: &str) -> PathBuf {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/points")).join(name)
+}
+
+/// The camera of a scene file without one looks into a room, and at a model from outside.
+fn looks_from(path: &Path, inside: bool) {
+    let scene = open_path(path);
+    let (lo, hi) = scene.objects[0].mesh.bounds().unwrap();
+    let eye = scene.camera.eye;
+    let is_inside = eye.cmpge(lo).all() && eye.cmple(hi).all();
+    let path = path.display();
+    assert_eq!(is_inside, inside, "{path}: eye {eye} of {lo} to {hi}");
+}
+
 #[test]
-fn shared_scenes_and_points_load() {
+fn scenes_and_points_with_known_answers_load() {
+    for name in ["room.obj", "drm.toml"] {
+        looks_from(&known(name), true);
+    }
+    for (name, count) in [("room.csv", 884), ("drm.csv", 21)] {
+        let points = open_points(&known(name)).unwrap();
+        assert_eq!(points.len(), count, "{name}");
+    }
+}
+
+#[test]
+fn shared_scenes_load() {
     for (name, inside) in [
-        ("points/room.obj", true),
-        ("points/drm.toml", true),
         ("assets/scenes/sponza_34k.obj", true),
         ("assets/meshes/bunny.obj", false),
     ] {
-        let Some(path) = shared(name) else { continue };
-        let scene = open_path(&path);
-        let (lo, hi) = scene.objects[0].mesh.bounds().unwrap();
-        let eye = scene.camera.eye;
-        let is_inside = eye.cmpge(lo).all() && eye.cmple(hi).all();
-        assert_eq!(is_inside, inside, "{name}: eye {eye} of {lo} to {hi}");
-    }
-    for (name, count) in [("points/room.csv", 884), ("points/drm.csv", 21)] {
-        let Some(path) = shared(name) else { continue };
-        let points = open_points(&path).unwrap();
-        assert_eq!(points.len(), count, "{name}");
+        if let Some(path) = shared(name) {
+            looks_from(&path, inside);
+        }
     }
 }

@@ -231,7 +231,7 @@ fn case(half: [f32; 3], walls: [f32; 6], reference: [f32; 3], points: Vec<[[f32;
     }
 }
 
-/// The box of the public point set and another, with points all over the inside.
+/// The box of `points/room.obj` and another, with points all over the inside.
 fn room(model: OwnModel, quantity: Quantity) -> Option<Vec<Setting>> {
     let boxes = [
         ([1.0; 3], [1.0, 0.2, 0.5, 0.8, 0.3, 0.6], [0.2, -0.1, 0.3]),

@@ -1,10 +1,10 @@
-//! Closed rooms, where the answer is known with all reflections; the public point sets.
+//! Closed rooms, where the answer is known with all reflections; the boxes of `tests/points/`.
 
 use super::scenes::{add, cpu, directions, glowing, places, turned, under, walls};
 use super::{IRRADIANCE, exactly, hold};
 use crate::room_points::ROOM;
-use crate::subjects::{ROOM_RADIANCES, box_with, inside, shared_points};
-use crate::world::{Outcome, ignored};
+use crate::subjects::{ROOM_RADIANCES, box_with, inside, points_file};
+use crate::world::Outcome;
 use glam::{DVec3, Vec3};
 use interreflect_conformance::oracles::form_factors::{furnace_radiance, integrating_sphere};
 use interreflect_conformance::statistics::Scores;
@@ -16,22 +16,14 @@ use libtest_mimic::Trial;
 use std::f64::consts::PI;
 
 pub(super) fn trials() -> Vec<Trial> {
-    let mut trials = vec![
+    vec![
         Trial::test("path_reference/furnace", furnace),
         Trial::test("path_reference/furnace_bounces", furnace_bounces),
         Trial::test("path_reference/integrating_sphere", integrating),
         Trial::test("path_reference/rooms_in_rooms", rooms_in_rooms),
-    ];
-    for (name, trial) in [
-        ("path_reference/room", room as fn() -> Outcome),
-        ("path_reference/spot", spot),
-    ] {
-        trials.push(match ROOM.is_some() {
-            true => Trial::test(name, trial),
-            false => ignored(name.into(), "../shared/points is not there"),
-        });
-    }
-    trials
+        Trial::test("path_reference/room", room),
+        Trial::test("path_reference/spot", spot),
+    ]
 }
 
 /// Points all over the box, some of them close to its walls.
@@ -146,9 +138,9 @@ fn rooms_in_rooms() -> Outcome {
     Ok(())
 }
 
-/// The exact irradiances of the public point set.
+/// The exact irradiances of `room.csv`.
 fn room() -> Outcome {
-    let room = ROOM.as_ref().ok_or("no point set")?;
+    let room = &*ROOM;
     let subject = box_with(ROOM_RADIANCES, Vec::new());
     let traced = IRRADIANCE.trace(&subject.cpu, &room.points);
     let exact = room.column("E_exact")?;
@@ -157,8 +149,7 @@ fn room() -> Outcome {
 
 /// The exact first reflection of a spot light.
 fn spot() -> Outcome {
-    let folder = shared_points().ok_or("no point set")?;
-    let mut reader = csv::Reader::from_path(folder.join("drm.csv"))?;
+    let mut reader = csv::Reader::from_path(points_file("drm.csv"))?;
     let header = reader.headers()?.clone();
     let column = |name: &str| header.iter().position(|n| n == name).ok_or(name.to_owned());
     let mut columns = [0; 7];
@@ -181,7 +172,7 @@ fn spot() -> Outcome {
         exact.push(cell(6)?);
     }
     let scene = open(&SceneRequest::new(
-        folder.join("drm.toml").to_string_lossy(),
+        points_file("drm.toml").to_string_lossy(),
     ))?;
     let once = LightPaths {
         bounces: 1,

@@ -1,8 +1,8 @@
-//! The public point set: what each solid angle gives in float64 in the box of ../shared/points.
+//! What each solid angle gives in float64 in the box of `tests/points/drm.toml`.
 
 use crate::ensure;
-use crate::subjects::{Subject, shared_points};
-use crate::world::{Outcome, cpu_scene, gpu_scene, ignored, on_gpu};
+use crate::subjects::{Subject, points_file};
+use crate::world::{Outcome, cpu_scene, gpu_scene, on_gpu};
 use glam::DVec3;
 use interreflect_estimators::Tolerance;
 use interreflect_estimators::execution::BackendScene;
@@ -25,11 +25,7 @@ struct PointSet {
     albedos: [f64; 6],
 }
 
-static SET: LazyLock<Option<PointSet>> = LazyLock::new(|| {
-    let folder = shared_points()?;
-    let there = folder.join("drm.csv").exists();
-    there.then(|| PointSet::open(&folder).expect("a readable point set"))
-});
+static SET: LazyLock<PointSet> = LazyLock::new(|| PointSet::open().expect("a readable point set"));
 
 /// A solid angle: beginning of its columns, and settings.
 type Column = (&'static str, &'static [(&'static str, &'static str)]);
@@ -42,23 +38,19 @@ const COLUMNS: [Column; 4] = [
 ];
 
 pub(super) fn trials() -> Vec<Trial> {
-    let Some(set) = SET.as_ref() else {
-        return vec![ignored(
-            "radiance_maps/point_set".into(),
-            "../shared/points is not there",
-        )];
-    };
     let mut trials = Vec::new();
     for n in [2, 3, 4, 5, 16, 64] {
         for column in COLUMNS {
             let name = format!("radiance_maps/point_set/{}_{n}x{n}", column.0);
             trials.push(Trial::test(format!("{name}/cpu"), move || {
+                let set = &*SET;
                 let loaded = cpu_scene(&set.subject);
                 let views = loaded.capture(&normals(n))?.0.light_views;
                 let views = views.values().next().ok_or("no views")?;
                 set.check(&loaded, views, column, n)
             }));
             trials.push(on_gpu(format!("{name}/gpu"), move |context| {
+                let set = &*SET;
                 let loaded = gpu_scene(context, &set.subject)?;
                 let views = loaded.capture(&normals(n))?.0.light_views;
                 let views = views.values().next().ok_or("no views")?;
@@ -96,8 +88,8 @@ struct Met {
 const CONVERGED: f64 = 0.025;
 
 impl PointSet {
-    fn open(folder: &std::path::Path) -> Result<Self, Failed> {
-        let mut reader = csv::Reader::from_path(folder.join("drm.csv"))?;
+    fn open() -> Result<Self, Failed> {
+        let mut reader = csv::Reader::from_path(points_file("drm.csv"))?;
         let header = reader.headers()?.clone();
         let mut columns: BTreeMap<String, Vec<f64>> = BTreeMap::new();
         for record in reader.records() {
@@ -110,7 +102,7 @@ impl PointSet {
             .map(|i| (at(["x", "y", "z"], i), at(["nx", "ny", "nz"], i)))
             .collect();
         let scene = open(&SceneRequest::new(
-            folder.join("drm.toml").to_string_lossy(),
+            points_file("drm.toml").to_string_lossy(),
         ))?;
         let Some(Light::Spot { position, .. }) = scene.lights.first() else {
             return Err("the scene has no spot light".into());

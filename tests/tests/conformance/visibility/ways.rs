@@ -46,12 +46,12 @@ impl Seen<'_> {
     }
 }
 
-/// On the vertices of a model, in 18 directions: occlusion queries and depth maps decide alike but
+/// On the vertices of a built-in shape or a model from a file, in 18 directions: occlusion queries and depth maps decide alike but
 /// where a drawn point, snapped to a 256th of a texel, falls into the next one, and both as rays do but where a texel is too
 /// coarse: along silhouettes and in grazing light.
-pub(super) fn ways_agree(context: &Arc<GpuContext>, file: &Path) -> Outcome {
+pub(super) fn ways_agree(context: &Arc<GpuContext>, model: &Path) -> Outcome {
     let scene = open(&SceneRequest {
-        receivers: vec![file.to_string_lossy().into_owned()],
+        receivers: vec![model.to_string_lossy().into_owned()],
         ..SceneRequest::new("studio")
     })?;
     let level = 1;
