@@ -7,7 +7,6 @@ mod averaging;
 mod backend;
 mod claims;
 mod error;
-mod fields;
 mod kept;
 #[cfg(test)]
 mod layout;
@@ -15,6 +14,7 @@ mod lobes;
 mod method;
 mod model;
 mod quantity;
+mod ranges;
 mod records;
 mod registry;
 

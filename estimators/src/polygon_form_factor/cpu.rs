@@ -4,8 +4,8 @@
 use super::corners::{Quads, REUSED_EDGE, Tables};
 use super::math::{clipped_quad, corner_height, edge_angle, edge_cosine, edge_integral};
 use super::{Facing, PolygonFormFactor, PolygonFormFactorParams};
-use crate::fields::MAX_RESOLUTION;
 use crate::kept::Kept;
+use crate::ranges::MAX_RESOLUTION;
 use crate::texels::average;
 use crate::{Changed, Cpu, Estimator, EstimatorError, Inputs, Prepared, Quantity, Records};
 use interreflect_cpu::lane::{Lane, Vector};

@@ -6,8 +6,9 @@ use interreflect_estimators::{
     Answers, Claim, Cpu, CpuOnly, Estimator, EstimatorError, Info, Inputs, Method, OwnModel,
     Quantity, Unsupported,
 };
-use interreflect_scene::params::{Field, Params};
 use interreflect_scene::{CubeSpec, Estimate, Needs, SceneFacts};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 use std::f32::consts::PI;
 
 /// The brightest radiance that is seen from the reference point, doubled, as if it arrived from
@@ -15,14 +16,8 @@ use std::f32::consts::PI;
 pub struct Boastful;
 
 /// It has none.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct NoParams;
-
-impl Params for NoParams {
-    fn fields() -> Vec<Field<Self>> {
-        Vec::new()
-    }
-}
 
 fn captured() -> CubeSpec {
     CubeSpec::of_radiance(16)
