@@ -10,11 +10,14 @@ use crate::lane::{Lane, Vector, Wide};
 use interreflect_scene::params::Choice;
 use interreflect_scene::{Estimate, LANES, PointLayout, Points};
 use rayon::prelude::*;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 use std::marker::PhantomData;
 use std::sync::Arc;
 
 /// The numbers that kernels compute with: one formula, three arithmetics.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum Arithmetic {
     /// Sixteen `f32`s side by side, on the context's instruction set.
     #[default]
@@ -27,13 +30,7 @@ pub enum Arithmetic {
     Float64,
 }
 
-impl Choice for Arithmetic {
-    const ALL: &'static [(&'static str, Self)] = &[
-        ("lanes", Self::Lanes),
-        ("scalar", Self::Scalar),
-        ("float64", Self::Float64),
-    ];
-}
+impl Choice for Arithmetic {}
 
 /// Neighbouring points of a block, one in each lane.
 #[derive(Clone, Copy)]

@@ -7,7 +7,6 @@ pub mod averaging;
 mod backend;
 mod claims;
 mod error;
-mod fields;
 mod frame;
 #[cfg(test)]
 mod layout;
@@ -16,6 +15,7 @@ pub mod lobes;
 mod method;
 mod model;
 mod quantity;
+mod ranges;
 mod records;
 mod registry;
 mod tolerance;

@@ -2,9 +2,14 @@
 
 use interreflect_scene::PointLayout;
 use interreflect_scene::params::Choice;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
 /// The quantity that an estimate holds at each point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(
+    Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, JsonSchema,
+)]
+#[serde(rename_all = "snake_case")]
 pub enum Quantity {
     /// Irradiance in W/m² from surfaces and environment, before the receiver's albedo.
     Irradiance,
@@ -15,19 +20,12 @@ pub enum Quantity {
     AmbientOcclusion,
 }
 
-impl Choice for Quantity {
-    const ALL: &'static [(&'static str, Self)] = &[
-        ("irradiance", Self::Irradiance),
-        ("glossy_radiance", Self::GlossyRadiance),
-        ("ambient_occlusion", Self::AmbientOcclusion),
-    ];
-}
+impl Choice for Quantity {}
 
 impl Quantity {
     /// Its name on the command line and in records.
     pub fn name(self) -> &'static str {
-        let found = Self::ALL.iter().find(|(_, q)| *q == self);
-        found.map_or("", |(name, _)| name)
+        Choice::name(self)
     }
 
     /// The planes that its points must carry.

@@ -58,7 +58,7 @@ pub trait Configured: Send + Sync {
         if self.fidelity().is_none() {
             return vec![self.boxed_clone()];
         }
-        let variants = Fidelity::ALL.iter().filter_map(|(name, _)| {
+        let variants = Fidelity::all().into_iter().filter_map(|(name, _)| {
             let mut variant = self.boxed_clone();
             variant.set(FIDELITY, name).ok().map(|()| variant)
         });

@@ -155,18 +155,7 @@ impl Lab {
         options: &SceneOptions,
         settings: &[Setting],
     ) -> Result<Scene, HarnessError> {
-        let of_scene = settings.iter().filter_map(|s| match s.split() {
-            (Some(SCENE), name) => Some((name.to_owned(), s.value.clone())),
-            _ => None,
-        });
-        let path = |p: &std::path::PathBuf| p.to_string_lossy().into_owned();
-        Ok(open(&SceneRequest {
-            source: source.into(),
-            receivers: options.receiver.iter().map(path).collect(),
-            environment: options.environment.clone(),
-            reference_point: options.reference_point,
-            set: of_scene.collect(),
-        })?)
+        Ok(open(&request(source, options, settings))?)
     }
 
     /// A method with the settings that are meant for it: all unqualified ones, if it is the only
@@ -252,6 +241,22 @@ impl Lab {
             }
         }
         Ok(())
+    }
+}
+
+/// A scene as the command line asks for it.
+pub(crate) fn request(source: &str, options: &SceneOptions, settings: &[Setting]) -> SceneRequest {
+    let of_scene = settings.iter().filter_map(|s| match s.split() {
+        (Some(SCENE), name) => Some((name.to_owned(), s.value.clone())),
+        _ => None,
+    });
+    let path = |p: &std::path::PathBuf| p.to_string_lossy().into_owned();
+    SceneRequest {
+        source: source.into(),
+        receivers: options.receiver.iter().map(path).collect(),
+        environment: options.environment.clone(),
+        reference_point: options.reference_point,
+        set: of_scene.collect(),
     }
 }
 

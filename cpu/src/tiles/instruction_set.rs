@@ -1,9 +1,12 @@
 //! Which vector instructions a kernel is compiled for.
 
 use interreflect_scene::params::Choice;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
 /// The vector instructions that a kernel is compiled for. Results have the same bits on each.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum InstructionSet {
     /// What every processor of the target has (SSE2 on x86-64).
     Baseline,
@@ -13,13 +16,7 @@ pub enum InstructionSet {
     Avx512,
 }
 
-impl Choice for InstructionSet {
-    const ALL: &'static [(&'static str, Self)] = &[
-        ("baseline", Self::Baseline),
-        ("avx2", Self::Avx2),
-        ("avx512", Self::Avx512),
-    ];
-}
+impl Choice for InstructionSet {}
 
 impl InstructionSet {
     /// Whether this processor has it.
@@ -45,8 +42,7 @@ impl InstructionSet {
 
     /// Its name on the command line and in reports.
     pub fn name(self) -> &'static str {
-        let found = Self::ALL.iter().find(|(_, s)| *s == self);
-        found.map_or("", |(name, _)| name)
+        Choice::name(self)
     }
 
     /// Runs `op`, and all that is inlined into it, compiled for this instruction set; falls back

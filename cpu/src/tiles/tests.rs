@@ -14,16 +14,16 @@ impl TileKernel for Sum {
 
 #[test]
 fn every_lane_is_shaded_once_and_masked_ones_are_zero() {
-    for (name, set) in InstructionSet::ALL {
+    for (name, set) in InstructionSet::all() {
         if !set.available() {
             println!("not run: this processor has no {name}");
             continue;
         }
         for threads in [1, 2] {
-            let cx = CpuCx::new(Some(threads), Some(*set)).expect("a pool of threads");
-            for (_, arithmetic) in Arithmetic::ALL {
+            let cx = CpuCx::new(Some(threads), Some(set)).expect("a pool of threads");
+            for (_, arithmetic) in Arithmetic::all() {
                 for len in [1, 63, 64, 65, 1500] {
-                    shades_each_once(&cx.with_arithmetic(*arithmetic), len);
+                    shades_each_once(&cx.with_arithmetic(arithmetic), len);
                 }
             }
         }

@@ -1,57 +1,35 @@
-use crate::fields;
-use interreflect_scene::params::{Field, Params};
+use crate::ranges::{
+    MAX_BOUNCES, MAX_CAPTURE_RESOLUTION, MAX_RECAPTURE_DISTANCE_M, MAX_RESOLUTION,
+};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use smart_default::SmartDefault;
 
-/// Parameters of [`super::PointFormFactor`].
-///
-/// The ranges keep the loops of a shader invocation below 65,536 turns together: lavapipe ends them
-/// there without a word.
-#[derive(Clone, Debug, PartialEq)]
+/// Point-to-point form factors, by their parameters.
+#[derive(Clone, Debug, PartialEq, SmartDefault, Serialize, Deserialize, JsonSchema)]
 pub struct PointFormFactor {
-    /// M: texels along a face's edge that shading sums over.
+    /// Texels along a face's edge that shading sums over.
+    #[default(4)]
+    #[schemars(range(min = 1, max = MAX_RESOLUTION))]
+    #[schemars(extend("symbol" = "M", "unit" = "texels", "scale" = "log"))]
     pub resolution: u32,
     /// Texels along a face's edge when the environment is captured.
+    #[default(256)]
+    #[schemars(range(min = 1, max = MAX_CAPTURE_RESOLUTION))]
+    #[schemars(extend("unit" = "texels", "scale" = "log"))]
     pub capture_resolution: u32,
-    /// Reflections in the captured radiance beyond that of the lights' light.
+    /// Reflections in the captured radiance beyond that of direct light, from coarse radiosity at the
+    /// vertices.
+    #[default(0)]
+    #[schemars(range(max = MAX_BOUNCES))]
     pub bounces: u32,
-    /// Distance in metres of the reference point up to which captures are kept.
+    /// Captures are reused while the reference point is no farther than this from theirs; 0: always
+    /// fresh.
+    #[default(0.0)]
+    #[schemars(range(min = 0.0, max = MAX_RECAPTURE_DISTANCE_M), extend("unit" = "m"))]
     pub recapture_distance: f32,
-    /// Largest solid angle in sr that one texel counts; 0 for no bound.
+    /// Largest solid angle that one texel counts; 0 for no bound.
+    #[default(0.0)]
+    #[schemars(range(min = 0.0, max = 100.0), extend("unit" = "sr"))]
     pub clamp: f32,
-}
-
-impl Default for PointFormFactor {
-    fn default() -> Self {
-        Self {
-            resolution: 4,
-            capture_resolution: 256,
-            bounces: 0,
-            recapture_distance: 0.0,
-            clamp: 0.0,
-        }
-    }
-}
-
-impl Params for PointFormFactor {
-    fn fields() -> Vec<Field<Self>> {
-        vec![
-            fields::resolution(|p: &Self| p.resolution, |p, v| p.resolution = v),
-            fields::capture_resolution(
-                |p: &Self| p.capture_resolution,
-                |p, v| p.capture_resolution = v,
-            ),
-            fields::bounces(|p: &Self| p.bounces, |p, v| p.bounces = v),
-            fields::recapture_distance(
-                |p: &Self| p.recapture_distance,
-                |p, v| p.recapture_distance = v,
-            ),
-            Field::f32(
-                "clamp",
-                "largest solid angle that one texel counts; 0 for no bound",
-                0.0..=100.0,
-                |p: &Self| p.clamp,
-                |p, v| p.clamp = v,
-            )
-            .unit("sr"),
-        ]
-    }
 }

@@ -4,7 +4,7 @@
 use super::corners::{Quads, REUSED_EDGE, Tables};
 use super::math::{clipped_quad, corner_height, edge_angle, edge_cosine, edge_integral};
 use super::{Facing, PolygonFormFactor};
-use crate::fields::MAX_RESOLUTION;
+use crate::ranges::MAX_RESOLUTION;
 use crate::texels::average;
 use crate::{Cpu, Estimator, EstimatorError, Frame, Prepared, Records};
 use interreflect_cpu::lane::{Lane, Vector};

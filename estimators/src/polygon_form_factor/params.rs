@@ -1,8 +1,14 @@
-use crate::fields;
-use interreflect_scene::params::{Choice, Fidelity, Field, Params};
+use crate::ranges::{
+    MAX_BOUNCES, MAX_CAPTURE_RESOLUTION, MAX_RECAPTURE_DISTANCE_M, MAX_RESOLUTION,
+};
+use interreflect_scene::params::Fidelity;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use smart_default::SmartDefault;
 
 /// Which radiance a texel's quadrilateral has.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum Radiance {
     /// The texel's own, as in the paper's shader.
     #[default]
@@ -11,13 +17,9 @@ pub enum Radiance {
     Corners,
 }
 
-impl Choice for Radiance {
-    const ALL: &'static [(&'static str, Self)] =
-        &[("centre", Self::Centre), ("corners", Self::Corners)];
-}
-
 /// Where the distance at a texel's corner comes from.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum Corners {
     /// What the fidelity calls for: `per_face` in `published`, `exact` in `corrected`.
     #[default]
@@ -32,18 +34,9 @@ pub enum Corners {
     Exact,
 }
 
-impl Choice for Corners {
-    const ALL: &'static [(&'static str, Self)] = &[
-        ("fidelity", Self::Fidelity),
-        ("per_face", Self::PerFace),
-        ("nearest", Self::Nearest),
-        ("seamless", Self::Seamless),
-        ("exact", Self::Exact),
-    ];
-}
-
 /// What becomes of a quadrilateral that faces away from the point.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum Facing {
     /// It counts negative: form factors keep their sum, and a quadrilateral across a gap in depth
     /// takes back what it covers up.
@@ -53,49 +46,40 @@ pub enum Facing {
     Clamped,
 }
 
-impl Choice for Facing {
-    const ALL: &'static [(&'static str, Self)] =
-        &[("signed", Self::Signed), ("clamped", Self::Clamped)];
-}
-
-/// Parameters of [`super::PolygonFormFactor`].
+/// Polygon-to-point form factors, by their parameters.
 ///
-/// The ranges keep the loops of a shader invocation below 65,536 turns together, where lavapipe ends
-/// them without a word: 25,300 at M = 64, and eight for each texel that the horizon cuts, of which
-/// there would have to be 5,000.
-#[derive(Clone, Debug, PartialEq)]
+/// A shader invocation has 25,300 turns of its loops at M = 64, and eight for each texel that the
+/// horizon cuts: 5,000 of those would reach lavapipe's bound of 65,536.
+#[derive(Clone, Debug, PartialEq, SmartDefault, Serialize, Deserialize, JsonSchema)]
 pub struct PolygonFormFactor {
-    /// M: texels along a face's edge that shading sums over.
+    /// Texels along a face's edge that shading sums over.
+    #[default(4)]
+    #[schemars(range(min = 1, max = MAX_RESOLUTION))]
+    #[schemars(extend("symbol" = "M", "unit" = "texels", "scale" = "log"))]
     pub resolution: u32,
     /// Texels along a face's edge when the environment is captured.
+    #[default(256)]
+    #[schemars(range(min = 1, max = MAX_CAPTURE_RESOLUTION))]
+    #[schemars(extend("unit" = "texels", "scale" = "log"))]
     pub capture_resolution: u32,
-    /// Reflections in the captured radiance beyond that of the lights' light.
+    /// Reflections in the captured radiance beyond that of direct light, from coarse radiosity at the
+    /// vertices.
+    #[default(0)]
+    #[schemars(range(max = MAX_BOUNCES))]
     pub bounces: u32,
-    /// Distance in metres of the reference point up to which captures are kept.
+    /// Captures are reused while the reference point is no farther than this from theirs; 0: always
+    /// fresh.
+    #[default(0.0)]
+    #[schemars(range(min = 0.0, max = MAX_RECAPTURE_DISTANCE_M), extend("unit" = "m"))]
     pub recapture_distance: f32,
-    /// The paper as printed, or what it meant.
+    /// The paper as printed, errata included, or what it meant.
     pub fidelity: Fidelity,
-    /// Which radiance a quadrilateral has.
+    /// A texel's radiance: its own (the paper's shader) or the mean of its corners' (text).
     pub radiance: Radiance,
-    /// Where the distance at a corner comes from.
+    /// The distance at a corner: `fidelity` is `per_face` in `published`, `exact` in `corrected`.
     pub corners: Corners,
-    /// What becomes of quadrilaterals that face away; read by `corrected` only.
+    /// `corrected` only: quadrilaterals that face away count negative, or nothing.
     pub facing: Facing,
-}
-
-impl Default for PolygonFormFactor {
-    fn default() -> Self {
-        Self {
-            resolution: 4,
-            capture_resolution: 256,
-            bounces: 0,
-            recapture_distance: 0.0,
-            fidelity: Fidelity::Published,
-            radiance: Radiance::Centre,
-            corners: Corners::Fidelity,
-            facing: Facing::Signed,
-        }
-    }
 }
 
 impl PolygonFormFactor {
@@ -106,41 +90,5 @@ impl PolygonFormFactor {
             (Corners::Fidelity, Fidelity::Corrected) => Corners::Exact,
             (corners, _) => corners,
         }
-    }
-}
-
-impl Params for PolygonFormFactor {
-    fn fields() -> Vec<Field<Self>> {
-        vec![
-            fields::resolution(|p: &Self| p.resolution, |p, v| p.resolution = v),
-            fields::capture_resolution(
-                |p: &Self| p.capture_resolution,
-                |p, v| p.capture_resolution = v,
-            ),
-            fields::bounces(|p: &Self| p.bounces, |p, v| p.bounces = v),
-            fields::recapture_distance(
-                |p: &Self| p.recapture_distance,
-                |p, v| p.recapture_distance = v,
-            ),
-            Field::fidelity(|p: &Self| p.fidelity, |p, v| p.fidelity = v),
-            Field::choice(
-                "radiance",
-                "a texel's radiance: its own (the paper's shader) or the mean of its corners' (text)",
-                |p: &Self| p.radiance,
-                |p, v| p.radiance = v,
-            ),
-            Field::choice(
-                "corners",
-                "the distance at a corner: fidelity is per_face in published, exact in corrected",
-                |p: &Self| p.corners,
-                |p, v| p.corners = v,
-            ),
-            Field::choice(
-                "facing",
-                "corrected only: quadrilaterals that face away count negative, or nothing",
-                |p: &Self| p.facing,
-                |p, v| p.facing = v,
-            ),
-        ]
     }
 }

@@ -4,11 +4,12 @@ use super::axis::Axis;
 use super::run_settings::RunSettings;
 use crate::cli::{SceneOptions, Setting, What};
 use crate::error::HarnessError;
-use crate::lab::{Lab, SCENE};
-use crate::record::{Backend, ParamMap, ParamValue};
+use crate::lab::{Lab, SCENE, request};
+use crate::record::{Backend, ParamMap};
 use interreflect_estimators::{Configured, OwnModel, Quantity};
 use interreflect_gpu::GpuError;
-use interreflect_scene::params::{Choice, FIDELITY};
+use interreflect_scene::load::open;
+use interreflect_scene::params::{self, Choice, FIDELITY, FieldInfo, Value};
 use std::collections::BTreeSet;
 
 /// A scene as it is set, and how it is run.
@@ -56,7 +57,7 @@ impl Plan {
             methods.extend(variants(lab, id, &what.settings, &of_methods)?);
         }
         Ok(Self {
-            setups: setups(lab, scenes, what, &of_setup)?,
+            setups: setups(scenes, what, &of_setup)?,
             scene_options: what.scene.clone(),
             quantities: quantities(what, &methods, &ids)?,
             methods,
@@ -168,12 +169,7 @@ fn combinations(axes: &[&Axis]) -> Vec<Vec<Setting>> {
     })
 }
 
-fn setups(
-    lab: &Lab,
-    scenes: &[String],
-    what: &What,
-    axes: &[&Axis],
-) -> Result<Vec<Setup>, HarnessError> {
+fn setups(scenes: &[String], what: &What, axes: &[&Axis]) -> Result<Vec<Setup>, HarnessError> {
     let mut setups = Vec::new();
     let mut names = BTreeSet::new();
     for source in scenes {
@@ -186,16 +182,17 @@ fn setups(
             }
             let settings = [&what.settings[..], &varied].concat();
             // Everything that can be wrong is found before the first scene is measured.
-            let scene = lab.scene(source, &what.scene, &settings)?;
+            let request = request(source, &what.scene, &settings);
+            let scene = open(&request)?;
             let setup = Setup {
                 name: varied.iter().fold(scene.name, |name, s| {
                     let short = s.name.strip_prefix("scene.").unwrap_or(&s.name);
                     format!("{name}+{short}={}", s.value)
                 }),
+                varied: declared(&varied, &request.values()?, &params::values(&run)),
                 source: source.clone(),
                 settings,
                 run,
-                varied: varied.iter().map(|s| (&*s.name, value(&s.value))).collect(),
             };
             if !names.insert(setup.name.clone()) {
                 return Err(HarnessError::Usage(format!(
@@ -209,14 +206,19 @@ fn setups(
     Ok(setups)
 }
 
-/// A value as JSON would have it.
-fn value(text: &str) -> ParamValue {
-    let name = || ParamValue::Name(text.into());
-    text.parse()
-        .map(ParamValue::U32)
-        .or_else(|_| text.parse().map(ParamValue::F32))
-        .or_else(|_| text.parse().map(ParamValue::Bool))
-        .unwrap_or_else(|_| name())
+/// Settings with the values that they have by their declaration, of the scene or of the run.
+fn declared(
+    settings: &[Setting],
+    of_scene: &[(FieldInfo, Value)],
+    of_run: &[(FieldInfo, Value)],
+) -> ParamMap {
+    let value = |setting: &Setting| {
+        let (owner, name) = setting.split();
+        let values = if owner == Some(RUN) { of_run } else { of_scene };
+        let (_, value) = values.iter().find(|(field, _)| field.name == name)?;
+        Some((setting.name.clone(), *value))
+    };
+    settings.iter().filter_map(value).collect()
 }
 
 fn quantities(
@@ -225,7 +227,7 @@ fn quantities(
     ids: &[String],
 ) -> Result<Vec<Quantity>, HarnessError> {
     let mut quantities = match what.quantities.is_empty() {
-        true => Quantity::ALL.iter().map(|(_, q)| *q).collect(),
+        true => Quantity::all().into_iter().map(|(_, q)| q).collect(),
         false => what.quantities.clone(),
     };
     keep_first_of_each(&mut quantities);
@@ -249,4 +251,48 @@ fn keep_first_of_each<T: Clone + PartialEq>(list: &mut Vec<T>) {
         kept.push(item.clone());
         new
     });
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests")]
+    use super::*;
+    use crate::record::ParamValue;
+
+    /// Whatever their texts look like, and on the way through a file of results.
+    #[test]
+    fn settings_have_their_declared_types() {
+        let settings = [
+            ("scene.light", "2"),
+            ("scene.receiver.gap", ".5"),
+            ("scene.receivers", "3"),
+            ("scene.receiver.place", "wall"),
+            ("scene.block", "false"),
+            ("scene.camera.orbit_deg_per_s", "90"),
+            ("run.points", "60"),
+        ]
+        .map(|(name, value)| Setting {
+            name: name.into(),
+            value: value.into(),
+        });
+        let request = request("colored-room", &SceneOptions::default(), &settings);
+        let mut run = RunSettings::default();
+        run.set("points", "60").unwrap();
+        let found = declared(&settings, &request.values().unwrap(), &params::values(&run));
+        let values = [
+            ParamValue::F32(2.0),
+            ParamValue::F32(0.5),
+            ParamValue::U32(3),
+            ParamValue::Name("wall".into()),
+            ParamValue::Bool(false),
+            ParamValue::F32(90.0),
+            ParamValue::U32(60),
+        ];
+        let names = settings.iter().map(|s| &*s.name);
+        let expected: ParamMap = names.zip(values).collect();
+        assert_eq!(found, expected);
+        let json = serde_json::to_string(&found).unwrap();
+        assert!(json.starts_with(r#"{"scene.light":2.0,"#), "{json}");
+        assert_eq!(serde_json::from_str::<ParamMap>(&json).unwrap(), found);
+    }
 }

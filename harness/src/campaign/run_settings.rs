@@ -1,27 +1,22 @@
 //! How a scene is run, declared as parameters are: an axis of every figure is one.
 
 use crate::error::HarnessError;
-use interreflect_scene::params::{self, Field, Params};
-
-/// Points of a scene if none are asked for.
-const POINTS: u32 = 4096;
+use interreflect_scene::params;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use smart_default::SmartDefault;
 
 /// Settings of the run.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, SmartDefault, Serialize, Deserialize, JsonSchema)]
 pub(crate) struct RunSettings {
-    /// Points on the receivers.
+    /// Number of points on the receivers.
+    #[default(4096)]
+    #[schemars(range(min = 1, max = 1 << 26), extend("scale" = "log"))]
     pub(crate) points: u32,
     /// Threads of the CPU backend; 0 = all.
+    #[default(0)]
+    #[schemars(range(max = 1024), extend("scale" = "log"))]
     pub(crate) threads: u32,
-}
-
-impl Default for RunSettings {
-    fn default() -> Self {
-        Self {
-            points: POINTS,
-            threads: 0,
-        }
-    }
 }
 
 impl RunSettings {
@@ -48,28 +43,5 @@ impl RunSettings {
             estimator: "run".into(),
             error,
         })
-    }
-}
-
-impl Params for RunSettings {
-    fn fields() -> Vec<Field<Self>> {
-        vec![
-            Field::u32(
-                "points",
-                "number of points on the receivers",
-                1..=1 << 26,
-                |s: &Self| s.points,
-                |s, v| s.points = v,
-            )
-            .log(),
-            Field::u32(
-                "threads",
-                "threads of the CPU backend; 0 = all",
-                0..=1024,
-                |s: &Self| s.threads,
-                |s, v| s.threads = v,
-            )
-            .log(),
-        ]
     }
 }

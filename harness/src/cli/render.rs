@@ -6,6 +6,8 @@ use crate::view::{Look, Mirrors, ShadedAt};
 use clap::Args;
 use interreflect_estimators::Quantity;
 use interreflect_scene::params::Choice;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 
 /// `interreflect render`.
@@ -71,7 +73,8 @@ pub struct Render {
 }
 
 /// What `interreflect render` shows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum Show {
     /// The scene, as the camera sees it.
     Camera,
@@ -79,10 +82,7 @@ pub enum Show {
     LightView,
 }
 
-impl Choice for Show {
-    const ALL: &'static [(&'static str, Self)] =
-        &[("camera", Self::Camera), ("light_view", Self::LightView)];
-}
+impl Choice for Show {}
 
 impl Render {
     /// How the view is made.

@@ -36,10 +36,10 @@ pub struct MaterialArg {
 
 /// A parser of the names of a [`Choice`], which `--help` and error messages list.
 pub(super) fn choice<C: Choice + Send + Sync>() -> impl TypedValueParser<Value = C> {
-    let names = PossibleValuesParser::new(C::ALL.iter().map(|(name, _)| *name));
+    let names = PossibleValuesParser::new(C::all().into_iter().map(|(name, _)| name));
     names.try_map(|given| {
-        let found = C::ALL.iter().find(|(name, _)| *name == given);
-        found.map(|(_, value)| *value).ok_or("not one of the names")
+        let found = C::all().into_iter().find(|(name, _)| *name == given);
+        found.map(|(_, value)| value).ok_or("not one of the names")
     })
 }
 

@@ -1,9 +1,12 @@
 //! What a view may be asked for.
 
 use interreflect_scene::params::Choice;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
 /// Where an estimator is asked.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum ShadedAt {
     /// At the surface that each pixel sees.
     Pixels,
@@ -11,13 +14,11 @@ pub enum ShadedAt {
     Vertices,
 }
 
-impl Choice for ShadedAt {
-    const ALL: &'static [(&'static str, Self)] =
-        &[("pixels", Self::Pixels), ("vertices", Self::Vertices)];
-}
+impl Choice for ShadedAt {}
 
 /// What a mirror shows of indirect light (P3, Figure 8).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum Mirrors {
     /// None: direct light alone.
     Direct,
@@ -28,13 +29,7 @@ pub enum Mirrors {
     Included,
 }
 
-impl Choice for Mirrors {
-    const ALL: &'static [(&'static str, Self)] = &[
-        ("direct", Self::Direct),
-        ("diffuse", Self::Diffuse),
-        ("included", Self::Included),
-    ];
-}
+impl Choice for Mirrors {}
 
 /// How a view is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

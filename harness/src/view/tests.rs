@@ -124,8 +124,8 @@ fn vertices_interpolate_over_their_triangles() {
         // Rounding of weights and positions of a few metres to float32.
         assert!(a.distance(*b) < 1e-5, "{a} and {b}");
     }
-    let seen = vertices.seen().expect("vertices have triangles");
-    assert!(pixels.seen().is_none() && !seen.visible.is_empty());
+    let seen = vertices.visible().expect("vertices have triangles");
+    assert!(pixels.visible().is_none() && !seen.visible.is_empty());
     let of_mirror = |t: &&u32| vertices.points[seen.triangles[**t as usize][0] as usize];
     let floor_only = seen
         .visible

@@ -3,59 +3,32 @@
 use super::Recipe;
 use crate::load::build::{Model, Parts};
 use crate::load::{Setting, assemble};
-use crate::params::{Field, Params};
 use crate::shapes::waves::{gyroid, swirl};
 use crate::{Camera, Light, Material, Mesh, Role, Scene, SceneError, SpotShape, normals, shapes};
 use glam::{Mat3, Quat, Vec3};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use smart_default::SmartDefault;
 
 pub(super) struct Cave;
 
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, SmartDefault, Serialize, Deserialize, JsonSchema)]
 pub(super) struct Settings {
+    /// Full angle of the lantern's square frustum.
+    #[serde(rename = "light.angle")]
+    #[default(95.0)]
+    #[schemars(range(min = 10.0, max = 150.0), extend("unit" = "°"))]
     angle_deg: f32,
+    /// Intensity of the lantern.
+    #[serde(rename = "light")]
+    #[default(60.0)]
+    #[schemars(range(min = 0.0, max = 10_000.0), extend("unit" = "W/sr"))]
     intensity: f32,
+    /// Reflectance of the mirrors.
+    #[serde(rename = "mirror.specular")]
+    #[default(0.9)]
+    #[schemars(range(min = 0.0, max = 1.0), extend("symbol" = "k_s"))]
     specular: f32,
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Self {
-            angle_deg: 95.0,
-            intensity: 60.0,
-            specular: 0.9,
-        }
-    }
-}
-
-impl Params for Settings {
-    fn fields() -> Vec<Field<Self>> {
-        vec![
-            Field::f32(
-                "light.angle",
-                "full angle of the lantern's square frustum",
-                10.0..=150.0,
-                |s: &Self| s.angle_deg,
-                |s, v| s.angle_deg = v,
-            )
-            .unit("°"),
-            Field::f32(
-                "light",
-                "intensity of the lantern",
-                0.0..=10_000.0,
-                |s: &Self| s.intensity,
-                |s, v| s.intensity = v,
-            )
-            .unit("W/sr"),
-            Field::f32(
-                "mirror.specular",
-                "reflectance of the mirrors",
-                0.0..=1.0,
-                |s: &Self| s.specular,
-                |s, v| s.specular = v,
-            )
-            .symbol("k_s"),
-        ]
-    }
 }
 
 /// Semi-axes in metres of the ellipsoid that the cavern is carved from.

@@ -4,114 +4,67 @@ use super::receiver::{self, Look};
 use super::{Recipe, room};
 use crate::load::build::Parts;
 use crate::load::{Setting, assemble};
-use crate::params::{Choice, Field, Params};
 use crate::{Light, Material, Role, Scene, SceneError};
 use glam::Vec3;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use smart_default::SmartDefault;
 
 pub(super) struct ColoredRoom;
 
 /// Where the receiver is.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 enum Place {
+    /// The middle of the room.
     #[default]
     Middle,
+    /// Half-way to the -x wall.
     Halfway,
+    /// At a gap from the -x wall.
     Wall,
+    /// At a gap from the floor.
     Floor,
 }
 
-impl Choice for Place {
-    const ALL: &'static [(&'static str, Self)] = &[
-        ("middle", Self::Middle),
-        ("halfway", Self::Halfway),
-        ("wall", Self::Wall),
-        ("floor", Self::Floor),
-    ];
-}
-
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, SmartDefault, Serialize, Deserialize, JsonSchema)]
 pub(super) struct Settings {
+    /// In the middle, half-way to the -x wall, or at a gap from that wall or the floor.
+    #[serde(rename = "receiver.place")]
     place: Place,
+    /// Gap to the -x wall or the floor, where the receiver stands by one.
+    #[serde(rename = "receiver.gap")]
+    #[default(0.05)]
+    #[schemars(range(min = 0.0, max = 1.0), extend("unit" = "m"))]
     gap: f32,
-    moved: f32,
-    receivers: u32,
+    /// Longest side of the receiver.
+    #[serde(rename = "receiver.size")]
+    #[default(0.6)]
+    #[schemars(range(min = 0.01, max = 1.0), extend("unit" = "m"))]
     size: f32,
-    look: Look,
+    /// Radiance that walls emit, relative to their colour.
+    #[default(0.25)]
+    #[schemars(range(min = 0.0, max = 10.0), extend("unit" = "W/m²/sr"))]
     glow: f32,
+    /// Intensity of the point light under the ceiling.
+    #[default(2.0)]
+    #[schemars(range(min = 0.0, max = 100.0), extend("unit" = "W/sr"))]
     light: f32,
+    /// A block stands in the corner and casts a shadow.
+    #[default(true)]
     block: bool,
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Self {
-            place: Place::Middle,
-            gap: 0.05,
-            moved: 0.0,
-            receivers: 1,
-            size: 0.6,
-            look: Look::default(),
-            glow: 0.25,
-            light: 2.0,
-            block: true,
-        }
-    }
-}
-
-receiver::has_look!(Settings);
-
-impl Params for Settings {
-    fn fields() -> Vec<Field<Self>> {
-        let mut fields = vec![
-            Field::choice(
-                "receiver.place",
-                "in the middle, half-way to the -x wall, or at a gap from that wall or the floor",
-                |s: &Self| s.place,
-                |s, v| s.place = v,
-            ),
-            Field::f32(
-                "receiver.gap",
-                "gap to the -x wall or the floor, where the receiver stands by one",
-                0.0..=1.0,
-                |s: &Self| s.gap,
-                |s, v| s.gap = v,
-            )
-            .unit("m"),
-            Field::f32(
-                "receiver.size",
-                "longest side of the receiver",
-                0.01..=1.0,
-                |s: &Self| s.size,
-                |s, v| s.size = v,
-            )
-            .unit("m"),
-            Field::f32(
-                "glow",
-                "radiance that walls emit, relative to their colour",
-                0.0..=10.0,
-                |s: &Self| s.glow,
-                |s, v| s.glow = v,
-            )
-            .unit("W/m²/sr"),
-            Field::f32(
-                "light",
-                "intensity of the point light under the ceiling",
-                0.0..=100.0,
-                |s: &Self| s.light,
-                |s, v| s.light = v,
-            )
-            .unit("W/sr"),
-            Field::bool(
-                "block",
-                "a block stands in the corner and casts a shadow",
-                |s: &Self| s.block,
-                |s, v| s.block = v,
-            ),
-        ];
-        fields.extend(sharing_fields());
-        fields.extend(receiver::look_fields());
-        fields
-    }
+    /// How far the receivers have moved along +x since captures were made.
+    #[serde(rename = "receiver.moved")]
+    #[default(0.0)]
+    #[schemars(range(min = 0.0, max = 1.0), extend("unit" = "m"))]
+    moved: f32,
+    /// Equal receivers in a row along x around that place, sharing the captures.
+    #[default(1)]
+    #[schemars(range(min = 1, max = 3))]
+    receivers: u32,
+    /// How the receiver reflects and moves.
+    #[serde(flatten)]
+    look: Look,
 }
 
 impl Recipe for ColoredRoom {
@@ -199,25 +152,4 @@ fn row(s: &Settings, position: Vec3) -> Vec<f32> {
     let step = room.min(1.25 * s.size).max(s.size);
     let place = |i| step * (i as f32 - 0.5 * last as f32);
     (0..=last).map(place).collect()
-}
-
-/// The settings of receivers that move, or share the captures.
-fn sharing_fields() -> [Field<Settings>; 2] {
-    [
-        Field::f32(
-            "receiver.moved",
-            "how far the receivers have moved along +x since captures were made",
-            0.0..=1.0,
-            |s: &Settings| s.moved,
-            |s, v| s.moved = v,
-        )
-        .unit("m"),
-        Field::u32(
-            "receivers",
-            "equal receivers in a row along x around that place, sharing the captures",
-            1..=3,
-            |s: &Settings| s.receivers,
-            |s, v| s.receivers = v,
-        ),
-    ]
 }

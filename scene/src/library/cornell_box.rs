@@ -5,89 +5,51 @@ use super::Recipe;
 use super::receiver::{self, Look};
 use crate::load::build::{Model, Parts};
 use crate::load::{Setting, assemble};
-use crate::params::{Choice, Field, Params};
 use crate::{Camera, Light, Material, Mesh, Role, Scene, SceneError, SpotShape};
 use glam::Vec3;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use smart_default::SmartDefault;
 use std::f32::consts::PI;
 
 pub(super) struct CornellBox;
 
 /// What lights the box; the flux is the same.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 enum Lamp {
+    /// A spot light.
     #[default]
     Spot,
+    /// A distant isotropic area light.
     Area,
+    /// The glowing patch itself.
     Emitter,
 }
 
-impl Choice for Lamp {
-    const ALL: &'static [(&'static str, Self)] = &[
-        ("spot", Self::Spot),
-        ("area", Self::Area),
-        ("emitter", Self::Emitter),
-    ];
-}
-
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, SmartDefault, Serialize, Deserialize, JsonSchema)]
 pub(super) struct Settings {
+    /// A spot light, a distant isotropic area light, or the glowing patch itself.
+    #[serde(rename = "light")]
     lamp: Lamp,
+    /// Full angle of the spot light.
+    #[serde(rename = "light.angle")]
+    #[default(140.0)]
+    #[schemars(range(min = 10.0, max = 170.0), extend("unit" = "°"))]
     angle_deg: f32,
+    /// Factor on the measured light; 1 is a dim picture, 3 a well exposed one.
+    #[serde(rename = "light.brightness")]
+    #[default(3.0)]
+    #[schemars(range(min = 0.0, max = 1000.0))]
     brightness: f32,
+    /// Longest side of the receiver, if one is asked for.
+    #[serde(rename = "receiver.size")]
+    #[default(0.18)]
+    #[schemars(range(min = 0.01, max = 0.25), extend("unit" = "m"))]
     size: f32,
+    /// How the receiver reflects and moves.
+    #[serde(flatten)]
     look: Look,
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Self {
-            lamp: Lamp::Spot,
-            angle_deg: 140.0,
-            brightness: 3.0,
-            size: 0.18,
-            look: Look::default(),
-        }
-    }
-}
-
-receiver::has_look!(Settings);
-
-impl Params for Settings {
-    fn fields() -> Vec<Field<Self>> {
-        let mut fields = vec![
-            Field::choice(
-                "light",
-                "a spot light, a distant isotropic area light, or the glowing patch itself",
-                |s: &Self| s.lamp,
-                |s, v| s.lamp = v,
-            ),
-            Field::f32(
-                "light.angle",
-                "full angle of the spot light",
-                10.0..=170.0,
-                |s: &Self| s.angle_deg,
-                |s, v| s.angle_deg = v,
-            )
-            .unit("°"),
-            Field::f32(
-                "light.brightness",
-                "factor on the measured light; 1 is a dim picture, 3 a well exposed one",
-                0.0..=1000.0,
-                |s: &Self| s.brightness,
-                |s, v| s.brightness = v,
-            ),
-            Field::f32(
-                "receiver.size",
-                "longest side of the receiver, if one is asked for",
-                0.01..=0.25,
-                |s: &Self| s.size,
-                |s, v| s.size = v,
-            )
-            .unit("m"),
-        ];
-        fields.extend(receiver::look_fields());
-        fields
-    }
 }
 
 /// Corners in millimetres, counter-clockwise seen from the front: the floor, the ceiling, the back

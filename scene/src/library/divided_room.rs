@@ -5,75 +5,42 @@ use super::receiver::{self, Look};
 use super::{Recipe, room};
 use crate::load::build::Parts;
 use crate::load::{Setting, assemble};
-use crate::params::{Choice, Field, Params};
 use crate::{Camera, Light, Material, Role, Scene, SceneError};
 use glam::Vec3;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use smart_default::SmartDefault;
 
 pub(super) struct DividedRoom;
 
 /// Where the reference point is.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 enum Reference {
+    /// The receiver's centre.
     #[default]
     Receiver,
+    /// The passage between both halves of the room.
     Passage,
 }
 
-impl Choice for Reference {
-    const ALL: &'static [(&'static str, Self)] =
-        &[("receiver", Self::Receiver), ("passage", Self::Passage)];
-}
-
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, SmartDefault, Serialize, Deserialize, JsonSchema)]
 pub(super) struct Settings {
+    /// How far the divider reaches into the room from the -z wall.
+    #[serde(rename = "divider.depth")]
+    #[default(1.1)]
+    #[schemars(range(min = 0.1, max = 1.9), extend("unit" = "m"))]
     depth: f32,
+    /// The cube map's place: the receiver's centre, or the passage that sees both halves.
     reference: Reference,
+    /// Longest side of the receiver.
+    #[serde(rename = "receiver.size")]
+    #[default(0.6)]
+    #[schemars(range(min = 0.01, max = 0.8), extend("unit" = "m"))]
     size: f32,
+    /// How the receiver reflects and moves.
+    #[serde(flatten)]
     look: Look,
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Self {
-            depth: 1.1,
-            reference: Reference::Receiver,
-            size: 0.6,
-            look: Look::default(),
-        }
-    }
-}
-
-receiver::has_look!(Settings);
-
-impl Params for Settings {
-    fn fields() -> Vec<Field<Self>> {
-        let mut fields = vec![
-            Field::f32(
-                "divider.depth",
-                "how far the divider reaches into the room from the -z wall",
-                0.1..=1.9,
-                |s: &Self| s.depth,
-                |s, v| s.depth = v,
-            )
-            .unit("m"),
-            Field::choice(
-                "reference",
-                "the cube map's place: the receiver's centre, or the passage that sees both halves",
-                |s: &Self| s.reference,
-                |s, v| s.reference = v,
-            ),
-            Field::f32(
-                "receiver.size",
-                "longest side of the receiver",
-                0.01..=0.8,
-                |s: &Self| s.size,
-                |s, v| s.size = v,
-            )
-            .unit("m"),
-        ];
-        fields.extend(receiver::look_fields());
-        fields
-    }
 }
 
 /// Thickness of the divider in metres.

@@ -4,29 +4,30 @@ use super::receiver::{self, Look};
 use super::{Recipe, sky};
 use crate::load::build::{Model, Parts};
 use crate::load::{Setting, assemble};
-use crate::params::{Choice, Field, Params};
 use crate::{Camera, Environment, Material, Role, Scene, SceneError, shapes};
 use glam::{Quat, Vec3};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use smart_default::SmartDefault;
 
 pub(super) struct Dragons;
 
 /// Where the front of a model is in its file.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 enum Front {
+    /// +x.
+    #[serde(rename = "+x")]
     PositiveX,
+    /// -x.
     #[default]
+    #[serde(rename = "-x")]
     NegativeX,
+    /// +z.
+    #[serde(rename = "+z")]
     PositiveZ,
+    /// -z.
+    #[serde(rename = "-z")]
     NegativeZ,
-}
-
-impl Choice for Front {
-    const ALL: &'static [(&'static str, Self)] = &[
-        ("+x", Self::PositiveX),
-        ("-x", Self::NegativeX),
-        ("+z", Self::PositiveZ),
-        ("-z", Self::NegativeZ),
-    ];
 }
 
 impl Front {
@@ -41,76 +42,34 @@ impl Front {
     }
 }
 
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, SmartDefault, Serialize, Deserialize, JsonSchema)]
 pub(super) struct Settings {
+    /// Longest side of the model in the middle, the first receiver.
+    #[serde(rename = "receiver.size")]
+    #[default(0.8)]
+    #[schemars(range(min = 0.1, max = 2.0), extend("unit" = "m"))]
     size: f32,
+    /// Longest side of the models beside it, the second receiver.
+    #[serde(rename = "neighbours.size")]
+    #[default(1.0)]
+    #[schemars(range(min = 0.1, max = 2.0), extend("unit" = "m"))]
     neighbour_size: f32,
+    /// Gap between the model in the middle and its neighbours.
+    #[serde(rename = "neighbours.gap")]
+    #[default(0.04)]
+    #[schemars(range(min = 0.0, max = 1.0), extend("unit" = "m"))]
     gap: f32,
+    /// Where the front of the neighbours' model is, which they turn to the middle.
+    #[serde(rename = "neighbours.front")]
     front: Front,
+    /// Cells along each side of the ground.
+    #[serde(rename = "ground.cells")]
+    #[default(96)]
+    #[schemars(range(min = 1, max = 512), extend("scale" = "log"))]
     cells: u32,
+    /// How the receiver reflects and moves.
+    #[serde(flatten)]
     look: Look,
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Self {
-            size: 0.8,
-            neighbour_size: 1.0,
-            gap: 0.04,
-            front: Front::default(),
-            cells: 96,
-            look: Look::default(),
-        }
-    }
-}
-
-receiver::has_look!(Settings);
-
-impl Params for Settings {
-    fn fields() -> Vec<Field<Self>> {
-        let mut fields = vec![
-            Field::f32(
-                "receiver.size",
-                "longest side of the model in the middle, the first receiver",
-                0.1..=2.0,
-                |s: &Self| s.size,
-                |s, v| s.size = v,
-            )
-            .unit("m"),
-            Field::f32(
-                "neighbours.size",
-                "longest side of the models beside it, the second receiver",
-                0.1..=2.0,
-                |s: &Self| s.neighbour_size,
-                |s, v| s.neighbour_size = v,
-            )
-            .unit("m"),
-            Field::f32(
-                "neighbours.gap",
-                "gap between the model in the middle and its neighbours",
-                0.0..=1.0,
-                |s: &Self| s.gap,
-                |s, v| s.gap = v,
-            )
-            .unit("m"),
-            Field::choice(
-                "neighbours.front",
-                "where the front of the neighbours' model is, which they turn to the middle",
-                |s: &Self| s.front,
-                |s, v| s.front = v,
-            ),
-            Field::u32(
-                "ground.cells",
-                "cells along each side of the ground",
-                1..=512,
-                |s: &Self| s.cells,
-                |s, v| s.cells = v,
-            )
-            .log(),
-        ];
-        fields.extend(receiver::look_fields());
-        fields
-    }
 }
 
 /// Side of the square ground in metres.

@@ -4,64 +4,32 @@ use super::receiver::{self, Look};
 use super::{Recipe, room};
 use crate::load::build::Parts;
 use crate::load::{Setting, assemble};
-use crate::params::{Field, Params};
 use crate::{Material, Role, Scene, SceneError};
 use glam::Vec3;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use smart_default::SmartDefault;
 
 pub(super) struct Furnace;
 
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, SmartDefault, Serialize, Deserialize, JsonSchema)]
 pub(super) struct Settings {
+    /// Radiance that every wall emits.
+    #[default(1.0)]
+    #[schemars(range(min = 0.0, max = 1000.0), extend("unit" = "W/m²/sr"))]
     emission: f32,
+    /// Diffuse albedo of every wall.
+    #[default(0.0)]
+    #[schemars(range(min = 0.0, max = 0.95), extend("symbol" = "ρ"))]
     albedo: f32,
+    /// Longest side of the receiver.
+    #[serde(rename = "receiver.size")]
+    #[default(0.6)]
+    #[schemars(range(min = 0.01, max = 1.8), extend("unit" = "m"))]
     size: f32,
+    /// How the receiver reflects and moves.
+    #[serde(flatten)]
     look: Look,
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Self {
-            emission: 1.0,
-            albedo: 0.0,
-            size: 0.6,
-            look: Look::default(),
-        }
-    }
-}
-
-receiver::has_look!(Settings);
-
-impl Params for Settings {
-    fn fields() -> Vec<Field<Self>> {
-        let mut fields = vec![
-            Field::f32(
-                "emission",
-                "radiance that every wall emits",
-                0.0..=1000.0,
-                |s: &Self| s.emission,
-                |s, v| s.emission = v,
-            )
-            .unit("W/m²/sr"),
-            Field::f32(
-                "albedo",
-                "diffuse albedo of every wall",
-                0.0..=0.95,
-                |s: &Self| s.albedo,
-                |s, v| s.albedo = v,
-            )
-            .symbol("ρ"),
-            Field::f32(
-                "receiver.size",
-                "longest side of the receiver",
-                0.01..=1.8,
-                |s: &Self| s.size,
-                |s, v| s.size = v,
-            )
-            .unit("m"),
-        ];
-        fields.extend(receiver::look_fields());
-        fields
-    }
 }
 
 impl Recipe for Furnace {

@@ -1,7 +1,7 @@
 //! The built-in scenes, one file each.
 //!
-//! A scene is a `Recipe`: a name, a line about it, settings declared through
-//! [`crate::params::Params`], and a function that builds it. Adding one is one file and one line in [`library`].
+//! A scene is a `Recipe`: a name, a line about it, settings declared as
+//! [`crate::params`] are, and a function that builds it. Adding one is one file and one line in [`library`].
 
 mod cave;
 mod colored_room;
@@ -19,7 +19,6 @@ mod tests;
 
 pub use receiver::RECEIVERS;
 
-use crate::load::movement::Movement;
 use crate::params::{self, FieldInfo, Params, Value};
 use crate::{Scene, SceneError, SceneRequest};
 
@@ -50,7 +49,7 @@ pub struct LibraryScene {
     pub receivers: usize,
     /// Whether it is small enough to be measured, by every method, where no scene is named.
     pub benched: bool,
-    settings: fn() -> Vec<(FieldInfo, Value)>,
+    values: fn(&SceneRequest) -> Result<Vec<(FieldInfo, Value)>, SceneError>,
     open: fn(&SceneRequest) -> Result<Scene, SceneError>,
 }
 
@@ -61,11 +60,7 @@ impl LibraryScene {
             summary: R::SUMMARY,
             receivers: R::RECEIVERS,
             benched: R::BENCHED,
-            settings: || {
-                let mut settings = params::values(&R::Settings::default());
-                settings.extend(params::values(&Movement::default()));
-                settings
-            },
+            values: SceneRequest::values_of::<R::Settings>,
             open: |request| {
                 request.at_most(R::RECEIVERS, R::NAME)?;
                 R::build(&request.settings()?, &request.receivers)
@@ -75,7 +70,16 @@ impl LibraryScene {
 
     /// The scene's settings with their defaults.
     pub fn settings(&self) -> Vec<(FieldInfo, Value)> {
-        (self.settings)()
+        let defaults = self.values(&SceneRequest::new(self.name));
+        defaults.expect("nothing is refused where nothing is asked for")
+    }
+
+    /// The scene's settings with their values, as asked for or by default.
+    pub(crate) fn values(
+        &self,
+        request: &SceneRequest,
+    ) -> Result<Vec<(FieldInfo, Value)>, SceneError> {
+        (self.values)(request)
     }
 
     /// Builds the scene; environment and reference point of the request are left to the caller.

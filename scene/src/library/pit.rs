@@ -3,102 +3,50 @@
 use super::{Recipe, sky};
 use crate::load::build::{Model, Parts};
 use crate::load::{Setting, assemble};
-use crate::params::{Choice, Field, Params};
 use crate::shapes::grid;
 use crate::{Camera, Environment, Material, Mesh, Role, Scene, SceneError};
 use glam::Vec3;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use smart_default::SmartDefault;
 
 pub(super) struct Pit;
 
 /// What is above.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 enum Sky {
+    /// Radiance 1 from everywhere.
     #[default]
     Constant,
+    /// A procedural sky with a sun.
     Procedural,
 }
 
-impl Choice for Sky {
-    const ALL: &'static [(&'static str, Self)] = &[
-        ("constant", Self::Constant),
-        ("procedural", Self::Procedural),
-    ];
-}
-
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, SmartDefault, Serialize, Deserialize, JsonSchema)]
 pub(super) struct Settings {
+    /// Size of the pit along x.
+    #[default(1.0)]
+    #[schemars(range(min = 0.1, max = 10.0), extend("unit" = "m"))]
     width: f32,
+    /// Size of the pit along z.
+    #[default(1.5)]
+    #[schemars(range(min = 0.1, max = 10.0), extend("unit" = "m"))]
     length: f32,
+    /// How far the floor lies below the ground.
+    #[default(0.75)]
+    #[schemars(range(min = 0.1, max = 10.0), extend("unit" = "m"))]
     depth: f32,
+    /// Cells along each side of the floor and of the walls.
+    #[default(32)]
+    #[schemars(range(min = 1, max = 256), extend("scale" = "log"))]
     cells: u32,
+    /// Diffuse albedo of pit and ground.
+    #[default(0.6)]
+    #[schemars(range(min = 0.0, max = 1.0), extend("symbol" = "ρ"))]
     albedo: f32,
+    /// Radiance 1 from everywhere, or a procedural sky with a sun.
     sky: Sky,
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Self {
-            width: 1.0,
-            length: 1.5,
-            depth: 0.75,
-            cells: 32,
-            albedo: 0.6,
-            sky: Sky::Constant,
-        }
-    }
-}
-
-impl Params for Settings {
-    fn fields() -> Vec<Field<Self>> {
-        vec![
-            Field::f32(
-                "width",
-                "size of the pit along x",
-                0.1..=10.0,
-                |s: &Self| s.width,
-                |s, v| s.width = v,
-            )
-            .unit("m"),
-            Field::f32(
-                "length",
-                "size of the pit along z",
-                0.1..=10.0,
-                |s: &Self| s.length,
-                |s, v| s.length = v,
-            )
-            .unit("m"),
-            Field::f32(
-                "depth",
-                "how far the floor lies below the ground",
-                0.1..=10.0,
-                |s: &Self| s.depth,
-                |s, v| s.depth = v,
-            )
-            .unit("m"),
-            Field::u32(
-                "cells",
-                "cells along each side of the floor and of the walls",
-                1..=256,
-                |s: &Self| s.cells,
-                |s, v| s.cells = v,
-            )
-            .log(),
-            Field::f32(
-                "albedo",
-                "diffuse albedo of pit and ground",
-                0.0..=1.0,
-                |s: &Self| s.albedo,
-                |s, v| s.albedo = v,
-            )
-            .symbol("ρ"),
-            Field::choice(
-                "sky",
-                "radiance 1 from everywhere, or a procedural sky with a sun",
-                |s: &Self| s.sky,
-                |s, v| s.sky = v,
-            ),
-        ]
-    }
 }
 
 impl Recipe for Pit {

@@ -3,107 +3,60 @@
 use crate::load::build::{Model, Parts};
 use crate::load::obj::{self, MissingNormals};
 use crate::motion::{Deformation, DeformationKind, Motion};
-use crate::params::{Choice, Field};
 use crate::{Material, Mesh, Role, SceneError, shapes};
 use glam::Vec3;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use smart_default::SmartDefault;
 use std::path::Path;
 
 /// The built-in receivers.
 pub const RECEIVERS: [&str; 3] = ["sphere", "torus", "blob"];
 
 /// How a receiver reflects, unless its own file says, and how it moves.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, SmartDefault, Serialize, Deserialize, JsonSchema)]
 pub(crate) struct Look {
+    /// Diffuse albedo of the receiver.
+    #[serde(rename = "receiver.diffuse")]
+    #[default(0.6)]
+    #[schemars(range(min = 0.0, max = 1.0), extend("symbol" = "k_d"))]
     diffuse: f32,
+    /// Specular albedo of the receiver.
+    #[serde(rename = "receiver.specular")]
+    #[default(0.3)]
+    #[schemars(range(min = 0.0, max = 1.0), extend("symbol" = "k_s"))]
     specular: f32,
+    /// Blinn-Phong exponent of the receiver.
+    #[serde(rename = "receiver.shininess")]
+    #[default(5.0)]
+    #[schemars(range(min = 0.0, max = 1000.0), extend("symbol" = "n"))]
     shininess: f32,
-    deformation: Option<DeformationKind>,
+    /// How the receiver's shape moves, with a period of 2 s.
+    #[serde(rename = "receiver.deformation")]
+    deformation: Shape,
 }
 
-impl Choice for Option<DeformationKind> {
-    const ALL: &'static [(&'static str, Self)] = &[
-        ("none", None),
-        ("twist", Some(DeformationKind::Twist)),
-        ("wave", Some(DeformationKind::Wave)),
-        ("breathe", Some(DeformationKind::Breathe)),
-    ];
-}
-
-impl Default for Look {
-    fn default() -> Self {
-        Self {
-            diffuse: 0.6,
-            specular: 0.3,
-            shininess: 5.0,
-            deformation: None,
-        }
-    }
-}
-
-/// Settings that hold a [`Look`].
-pub(crate) trait HasLook {
-    fn look(&self) -> &Look;
-    fn look_mut(&mut self) -> &mut Look;
-}
-
-/// Implements [`HasLook`] for settings with a field `look`.
-macro_rules! has_look {
-    ($settings:ty) => {
-        impl crate::library::receiver::HasLook for $settings {
-            fn look(&self) -> &Look {
-                &self.look
-            }
-
-            fn look_mut(&mut self) -> &mut Look {
-                &mut self.look
-            }
-        }
-    };
-}
-pub(crate) use has_look;
-
-/// The settings of a [`Look`].
-pub(crate) fn look_fields<P: HasLook + 'static>() -> Vec<Field<P>> {
-    vec![
-        Field::f32(
-            "receiver.diffuse",
-            "diffuse albedo of the receiver",
-            0.0..=1.0,
-            |p: &P| p.look().diffuse,
-            |p, v| p.look_mut().diffuse = v,
-        )
-        .symbol("k_d"),
-        Field::f32(
-            "receiver.specular",
-            "specular albedo of the receiver",
-            0.0..=1.0,
-            |p: &P| p.look().specular,
-            |p, v| p.look_mut().specular = v,
-        )
-        .symbol("k_s"),
-        Field::f32(
-            "receiver.shininess",
-            "Blinn-Phong exponent of the receiver",
-            0.0..=1000.0,
-            |p: &P| p.look().shininess,
-            |p, v| p.look_mut().shininess = v,
-        )
-        .symbol("n"),
-        Field::choice(
-            "receiver.deformation",
-            "how the receiver's shape moves, with a period of 2 s",
-            |p: &P| p.look().deformation,
-            |p, v| p.look_mut().deformation = v,
-        ),
-    ]
+/// Whether a receiver's shape moves, and how.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+enum Shape {
+    /// It is rigid.
+    #[default]
+    None,
+    /// It moves by this deformation.
+    #[serde(untagged)]
+    Moving(DeformationKind),
 }
 
 /// Adds a receiver that stands in its place.
 pub(crate) fn add(parts: &mut Parts, receiver: &str, model: Model, look: &Look) {
-    let motion = look.deformation.map(|kind| Motion {
-        deformation: Some(Deformation::new(kind)),
-        ..Motion::default()
-    });
+    let motion = match look.deformation {
+        Shape::None => None,
+        Shape::Moving(kind) => Some(Motion {
+            deformation: Some(Deformation::new(kind)),
+            ..Motion::default()
+        }),
+    };
     parts.add_moving(name_of(receiver), Role::Receiver, model, motion);
 }
 

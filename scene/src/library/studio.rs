@@ -4,44 +4,24 @@ use super::receiver::{self, Look};
 use super::{Recipe, sky};
 use crate::load::build::Parts;
 use crate::load::{Setting, assemble};
-use crate::params::{Field, Params};
 use crate::{Camera, Environment, Scene, SceneError};
 use glam::Vec3;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use smart_default::SmartDefault;
 
 pub(super) struct Studio;
 
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, SmartDefault, Serialize, Deserialize, JsonSchema)]
 pub(super) struct Settings {
+    /// Longest side of the receiver.
+    #[serde(rename = "receiver.size")]
+    #[default(1.0)]
+    #[schemars(range(min = 0.01, max = 100.0), extend("unit" = "m"))]
     size: f32,
+    /// How the receiver reflects and moves.
+    #[serde(flatten)]
     look: Look,
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Self {
-            size: 1.0,
-            look: Look::default(),
-        }
-    }
-}
-
-receiver::has_look!(Settings);
-
-impl Params for Settings {
-    fn fields() -> Vec<Field<Self>> {
-        let mut fields = vec![
-            Field::f32(
-                "receiver.size",
-                "longest side of the receiver",
-                0.01..=100.0,
-                |s: &Self| s.size,
-                |s, v| s.size = v,
-            )
-            .unit("m"),
-        ];
-        fields.extend(receiver::look_fields());
-        fields
-    }
 }
 
 impl Recipe for Studio {

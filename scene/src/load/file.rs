@@ -4,44 +4,27 @@ use super::build::{Parts, bounds_of};
 use super::obj::{self, MissingNormals};
 use super::{SceneRequest, Setting, assemble, toml};
 use crate::library::receiver::{self, Look};
-use crate::params::{Field, Params};
 use crate::{Material, Place, Role, Scene, SceneError};
 use glam::Vec3;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use smart_default::SmartDefault;
 use std::path::Path;
 
 /// Most characters of a scene's name: names of results add to it, and file systems stop at 255.
 const MAX_NAME: usize = 100;
 
 /// Settings of scenes that come from a file: the receiver that is added on request.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, SmartDefault, Serialize, Deserialize, JsonSchema)]
 pub struct FileSettings {
+    /// Longest side of an added receiver, relative to the scene's shortest.
+    #[serde(rename = "receiver.fraction")]
+    #[default(0.3)]
+    #[schemars(range(min = 0.001, max = 1.0))]
     fraction: f32,
+    /// How the receiver reflects and moves.
+    #[serde(flatten)]
     look: Look,
-}
-
-impl Default for FileSettings {
-    fn default() -> Self {
-        Self {
-            fraction: 0.3,
-            look: Look::default(),
-        }
-    }
-}
-
-receiver::has_look!(FileSettings);
-
-impl Params for FileSettings {
-    fn fields() -> Vec<Field<Self>> {
-        let mut fields = vec![Field::f32(
-            "receiver.fraction",
-            "longest side of an added receiver, relative to the scene's shortest",
-            0.001..=1.0,
-            |s: &Self| s.fraction,
-            |s, v| s.fraction = v,
-        )];
-        fields.extend(receiver::look_fields());
-        fields
-    }
 }
 
 /// Opens a scene file.

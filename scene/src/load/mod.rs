@@ -21,7 +21,7 @@ use crate::{Camera, Environment, Light, Place, Scene, SceneError, SceneMotion, l
 use build::Parts;
 use glam::Vec3;
 use movement::Movement;
-use params::{ParamError, Params};
+use params::{FieldInfo, ParamError, Params, Value};
 use std::path::{Path, PathBuf};
 
 /// Which scene is wanted, and what is to be different in it.
@@ -48,6 +48,30 @@ impl SceneRequest {
             source: source.into(),
             ..Self::default()
         }
+    }
+
+    /// Every setting of the scene with its value: as asked for, or its default.
+    ///
+    /// # Errors
+    /// [`SceneError`] if the scene does not have what is asked for, or does not take the value.
+    pub fn values(&self) -> Result<Vec<(FieldInfo, Value)>, SceneError> {
+        match self.ending().as_deref() {
+            Some("toml" | "obj") => self.values_of::<FileSettings>(),
+            _ => library::find(&self.source)?.values(self),
+        }
+    }
+
+    /// The same of a scene with these settings of its own.
+    pub(crate) fn values_of<P: Params>(&self) -> Result<Vec<(FieldInfo, Value)>, SceneError> {
+        let mut values = params::values(&self.settings::<P>()?);
+        values.extend(params::values(&self.movement()?));
+        Ok(values)
+    }
+
+    /// The ending of the source's name, in lower case.
+    fn ending(&self) -> Option<String> {
+        let ending = Path::new(&self.source).extension()?;
+        Some(ending.to_str()?.to_ascii_lowercase())
     }
 
     /// The scene settings as asked for, on top of their defaults; those that every scene has are
@@ -98,7 +122,7 @@ impl SceneRequest {
 }
 
 fn names_of<P: Params>() -> Vec<&'static str> {
-    P::fields().iter().map(|f| f.info().name).collect()
+    params::fields::<P>().iter().map(|f| f.name).collect()
 }
 
 /// Opens a scene.
@@ -108,10 +132,7 @@ fn names_of<P: Params>() -> Vec<&'static str> {
 pub fn open(request: &SceneRequest) -> Result<Scene, SceneError> {
     let movement = request.movement()?;
     let path = Path::new(&request.source);
-    let ending = path
-        .extension()
-        .and_then(|e| e.to_str())
-        .map(str::to_ascii_lowercase);
+    let ending = request.ending();
     let mut scene = match ending.as_deref() {
         Some("toml") => file::open_toml(path, request)?,
         Some("obj") => file::open_obj(path, request)?,

@@ -1,37 +1,24 @@
 //! Settings that every scene has: what can be set in motion whatever the scene says.
 
 use crate::motion::CameraMotion;
-use crate::params::{Field, Params};
 use crate::{Scene, SceneError};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use smart_default::SmartDefault;
 
 /// Motions that a request adds; 0 leaves what the scene says.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq, SmartDefault, Serialize, Deserialize, JsonSchema)]
 pub(crate) struct Movement {
+    /// Speed of the camera around its target; 0 leaves it as the scene says.
+    #[serde(rename = "camera.orbit_deg_per_s")]
+    #[default(0.0)]
+    #[schemars(range(min = -3600.0, max = 3600.0), extend("unit" = "°/s"))]
     orbit_deg_per_s: f32,
+    /// Speed of the environment about +y, if there is one; 0 leaves it as the scene says.
+    #[serde(rename = "environment.turn_deg_per_s")]
+    #[default(0.0)]
+    #[schemars(range(min = -3600.0, max = 3600.0), extend("unit" = "°/s"))]
     turn_deg_per_s: f32,
-}
-
-impl Params for Movement {
-    fn fields() -> Vec<Field<Self>> {
-        vec![
-            Field::f32(
-                "camera.orbit_deg_per_s",
-                "speed of the camera around its target; 0 leaves it as the scene says",
-                -3600.0..=3600.0,
-                |m: &Self| m.orbit_deg_per_s,
-                |m, v| m.orbit_deg_per_s = v,
-            )
-            .unit("°/s"),
-            Field::f32(
-                "environment.turn_deg_per_s",
-                "speed of the environment about +y, if there is one; 0 leaves it as the scene says",
-                -3600.0..=3600.0,
-                |m: &Self| m.turn_deg_per_s,
-                |m, v| m.turn_deg_per_s = v,
-            )
-            .unit("°/s"),
-        ]
-    }
 }
 
 impl Movement {

@@ -2,6 +2,8 @@
 
 use crate::params::Choice;
 use glam::{Mat3, Vec3};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 
 /// A periodic deformation of a mesh about the centre of its bounding box; at time 0, and at every
@@ -19,7 +21,8 @@ pub struct Deformation {
 
 /// The deformations. Lengths are relative to half of the longest side of the mesh's bounding box,
 /// s swings between ±amount as a sine of time.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum DeformationKind {
     /// Turned about the vertical axis by the angle s·y in radians.
     Twist,
@@ -29,13 +32,7 @@ pub enum DeformationKind {
     Breathe,
 }
 
-impl Choice for DeformationKind {
-    const ALL: &'static [(&'static str, Self)] = &[
-        ("twist", Self::Twist),
-        ("wave", Self::Wave),
-        ("breathe", Self::Breathe),
-    ];
-}
+impl Choice for DeformationKind {}
 
 impl Deformation {
     /// Period in seconds where nothing says.

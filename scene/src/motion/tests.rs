@@ -14,7 +14,7 @@ fn moving() -> Scene {
         rotate: Quat::from_rotation_z(turn),
         scale,
     };
-    let kinds = DeformationKind::ALL.iter().map(|(_, kind)| *kind);
+    let kinds = DeformationKind::all().into_iter().map(|(_, kind)| kind);
     for (object, kind) in scene.objects.iter_mut().zip(kinds) {
         object.motion = Some(Motion {
             poses: Track {
@@ -94,9 +94,9 @@ fn what_moves_is_told() {
 #[test]
 fn normals_follow_the_deformation() {
     let sphere = shapes::sphere(0.5, 48);
-    for (name, kind) in DeformationKind::ALL {
+    for (name, kind) in DeformationKind::all() {
         let motion = Motion {
-            deformation: Some(Deformation::new(*kind)),
+            deformation: Some(Deformation::new(kind)),
             ..Motion::default()
         };
         let moved = motion.of(&sphere, 0.5);
@@ -120,11 +120,11 @@ fn normals_follow_the_deformation() {
 
 #[test]
 fn deformations_return_after_a_period() {
-    for (_, kind) in DeformationKind::ALL {
+    for (_, kind) in DeformationKind::all() {
         let motion = Motion {
             deformation: Some(Deformation {
                 period_s: 0.75,
-                ..Deformation::new(*kind)
+                ..Deformation::new(kind)
             }),
             ..Motion::default()
         };

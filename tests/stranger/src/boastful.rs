@@ -5,20 +5,15 @@ use interreflect_estimators::{
     Answers, Claim, Cpu, CpuOnly, Estimator, EstimatorError, Frame, Info, Method, OwnModel,
     Prepared, Quantity, Unsupported,
 };
-use interreflect_scene::params::{Field, Params};
 use interreflect_scene::{CubeSpec, Needs, SceneFacts};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 use std::f32::consts::PI;
 
 /// The brightest radiance that is seen from the reference point, doubled, as if it arrived from
 /// everywhere.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Boastful;
-
-impl Params for Boastful {
-    fn fields() -> Vec<Field<Self>> {
-        Vec::new()
-    }
-}
 
 fn captured() -> CubeSpec {
     CubeSpec::of_radiance(16)

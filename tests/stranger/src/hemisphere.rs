@@ -7,37 +7,19 @@ use interreflect_estimators::{
     Prepared, Quantity, Unsupported,
 };
 use interreflect_scene::conventions::{cube_vector, texel_centre, texel_index};
-use interreflect_scene::params::{Field, Params};
 use interreflect_scene::{CubeSpec, Needs, SceneFacts};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use smart_default::SmartDefault;
 use std::f32::consts::PI;
 
 /// Ambient light of two colours: one from above, one from below, blended by the normal.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, SmartDefault, Serialize, Deserialize, JsonSchema)]
 pub struct HemisphereAmbient {
+    /// Texels along a face's edge when the environment is captured.
+    #[default(32)]
+    #[schemars(range(min = 2, max = 256), extend("unit" = "texels"))]
     capture_resolution: u32,
-}
-
-impl Default for HemisphereAmbient {
-    fn default() -> Self {
-        Self {
-            capture_resolution: 32,
-        }
-    }
-}
-
-impl Params for HemisphereAmbient {
-    fn fields() -> Vec<Field<Self>> {
-        vec![
-            Field::u32(
-                "capture_resolution",
-                "texels along a face's edge when the environment is captured",
-                2..=256,
-                |p: &Self| p.capture_resolution,
-                |p, v| p.capture_resolution = v,
-            )
-            .unit("texels"),
-        ]
-    }
 }
 
 fn captured(method: &HemisphereAmbient) -> CubeSpec {

@@ -138,7 +138,7 @@ pub(crate) fn switched(captured: u32) -> Vec<(Variant, String)> {
     for variant in variants(captured) {
         for (field, default) in variant.method.values() {
             let names: Vec<&str> = match &field.domain {
-                Domain::OneOf(names) if field.name != FIDELITY => names.clone(),
+                Domain::OneOf(names) if field.name != FIDELITY => names.to_vec(),
                 Domain::Bool => vec!["true", "false"],
                 _ => continue,
             };

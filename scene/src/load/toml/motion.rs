@@ -9,20 +9,12 @@ use glam::Vec3;
 use serde::Deserialize;
 use toml::Spanned;
 
-#[derive(Clone, Copy, Deserialize)]
-#[serde(rename_all = "snake_case")]
-enum DeformationName {
-    Twist,
-    Wave,
-    Breathe,
-}
-
 /// `motion` of a `[[mesh]]`.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct MeshMotionTable {
     keyframes: Option<Spanned<Vec<PoseTable>>>,
-    deformation: Option<DeformationName>,
+    deformation: Option<DeformationKind>,
     period_s: Option<Spanned<f32>>,
     amount: Option<Spanned<f32>>,
 }
@@ -89,18 +81,13 @@ impl MeshMotionTable {
     }
 
     fn deformation(&self, source: &Source<'_>) -> Result<Option<Deformation>, SceneError> {
-        let kind = match self.deformation {
-            Some(DeformationName::Twist) => DeformationKind::Twist,
-            Some(DeformationName::Wave) => DeformationKind::Wave,
-            Some(DeformationName::Breathe) => DeformationKind::Breathe,
-            None => {
-                let given = [
-                    Key::of("period_s", &self.period_s),
-                    Key::of("amount", &self.amount),
-                ];
-                source.only(given, &[], "a motion without `deformation`")?;
-                return Ok(None);
-            }
+        let Some(kind) = self.deformation else {
+            let given = [
+                Key::of("period_s", &self.period_s),
+                Key::of("amount", &self.amount),
+            ];
+            source.only(given, &[], "a motion without `deformation`")?;
+            return Ok(None);
         };
         let mut deformation = Deformation::new(kind);
         if let Some(period) = &self.period_s {

@@ -114,9 +114,10 @@ fn threads_and_instructions(
     let lists = std::slice::from_ref(points);
     let first = subject.estimates(scene, lists)?;
     let mut broken = Broken::default();
-    for (name, set) in InstructionSet::ALL.iter().filter(|(_, s)| s.available()) {
+    let available = InstructionSet::all().into_iter();
+    for (name, set) in available.filter(|(_, s)| s.available()) {
         for threads in [1, 2] {
-            let cx = CpuCx::new(Some(threads), Some(*set));
+            let cx = CpuCx::new(Some(threads), Some(set));
             let cx = cx.map_err(|e| Nothing::NotApplicable(e.to_string()))?;
             let of = MethodUnderTest {
                 backend: TestBackend::Cpu(&cx),
