@@ -8,7 +8,7 @@ use crate::world::{Outcome, Variant, captures, cpu_stage, gpu_stage, ignored, on
 use glam::Vec3;
 use interreflect::clock::Sampling;
 use interreflect::measure::measure;
-use interreflect::output::HdrImage;
+use interreflect::image::HdrImage;
 use interreflect::view::View;
 use interreflect_conformance::exchange::downloaded;
 use interreflect_estimators::Quantity;
