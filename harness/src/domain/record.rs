@@ -8,7 +8,7 @@ mod invocation;
 mod params;
 mod timing;
 
-pub use error_breakdown::{Floor, Part, Split};
+pub use error_breakdown::{ErrorBreakdown, Floor, Part};
 pub use invocation::{GivenOption, Invocation, Scope};
 pub use params::{ParamMap, ParamValue};
 pub use timing::{Fallback, TimeSource, Timing};
@@ -46,7 +46,7 @@ pub struct Results {
     pub floors: Vec<Floor>,
     /// What the errors are made of.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub splits: Vec<Split>,
+    pub splits: Vec<ErrorBreakdown>,
 }
 
 /// One estimator with one set of parameters, on one scene and one backend.

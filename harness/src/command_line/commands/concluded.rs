@@ -4,7 +4,7 @@ use super::{print_json, print_line};
 use crate::command_line::cli::Asked;
 use crate::command_line::error::CommandError;
 use crate::domain::analysis::{Advice, Budget, Conclusions, Metric, advise, fronts};
-use crate::domain::record::{Comparison, Results, Run, Split};
+use crate::domain::record::{Comparison, ErrorBreakdown, Results, Run};
 use crate::presenting::analysis::advice_in_text;
 use crate::presenting::output::write_results;
 use crate::presenting::overview::write_pictures;
@@ -24,7 +24,7 @@ struct Concluded<'a> {
     /// What each model leaves out, by `scene/quantity/estimator`.
     bias_floor: BTreeMap<String, &'a Comparison>,
     baselines: &'a [Run],
-    splits: &'a [Split],
+    splits: &'a [ErrorBreakdown],
     #[serde(flatten)]
     conclusions: &'a Conclusions,
     #[serde(skip_serializing_if = "Vec::is_empty")]

@@ -44,7 +44,7 @@ pub struct Advice {
     pub budget: Budget,
     /// What is estimated.
     #[serde(flatten)]
-    pub place: Problem,
+    pub problem: Problem,
     /// Where the runs took place.
     pub backend: Backend,
     /// It was a software adapter: its times say nothing about a GPU.
@@ -84,10 +84,10 @@ pub enum Answer {
 pub fn advise(runs: &[Run], budget: Budget) -> Vec<Advice> {
     let candidates = Candidate::all(runs, budget.metric);
     let key = |r: &Run| (Problem::of(r), r.backend, r.software);
-    let advice = |((place, backend, software), group): (_, Vec<_>)| {
+    let advice = |((problem, backend, software), group): (_, Vec<_>)| {
         Some(Advice {
             budget,
-            place,
+            problem,
             backend,
             software,
             answer: answer(&group, &budget)?,

@@ -89,9 +89,9 @@ pub(super) struct Curve {
 impl Curve {
     /// The baselines' curves in one place, in the order of tables. Of several runs with the
     /// same count the first holds.
-    pub(super) fn all(runs: &[Run], place: &Problem, metric: Metric) -> Vec<Self> {
+    pub(super) fn all(runs: &[Run], problem: &Problem, metric: Metric) -> Vec<Self> {
         let mut here = Candidate::all(runs, metric);
-        here.retain(|c| Problem::of(c.run) == *place);
+        here.retain(|c| Problem::of(c.run) == *problem);
         let mut curves: Vec<Self> = grouped(&here, Baseline::of)
             .into_iter()
             .filter_map(|(baseline, group)| Self::of(baseline?, &group))

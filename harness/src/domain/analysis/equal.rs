@@ -28,7 +28,7 @@ pub struct Table {
     pub metric: Metric,
     /// What is estimated.
     #[serde(flatten)]
-    pub place: Problem,
+    pub problem: Problem,
     /// Where the methods ran. Baselines run on the CPU always.
     pub backend: Backend,
     /// It was a software adapter: its times say nothing about a GPU.
@@ -157,15 +157,15 @@ pub fn equal_error(runs: &[Run], baselines: &[Run], metric: Metric) -> Vec<Table
 fn tables(question: Question, runs: &[Run], baselines: &[Run], metric: Metric) -> Vec<Table> {
     let candidates = Candidate::all(runs, metric);
     let mut tables = Vec::new();
-    for (place, of_both) in grouped(&candidates, Problem::of) {
+    for (problem, of_both) in grouped(&candidates, Problem::of) {
         let limits = nice_numbers::spanning(of_both.iter().map(|c| question.of_run(c).0));
-        let curves = Curve::all(baselines, &place, metric);
+        let curves = Curve::all(baselines, &problem, metric);
         for ((backend, software), group) in grouped(&of_both, |r| (r.backend, r.software)) {
             let methods = grouped(&group, Run::label);
             tables.push(Table {
                 question,
                 metric,
-                place: place.clone(),
+                problem: problem.clone(),
                 backend,
                 software,
                 contestants: contestants(&methods, &curves),

@@ -10,7 +10,7 @@ use serde::Serialize;
 pub struct Floor {
     /// What is estimated.
     #[serde(flatten)]
-    pub place: Problem,
+    pub problem: Problem,
     /// The run with the least error.
     pub least: Choice,
     /// The fastest run whose error can't be told apart from it: further time buys nothing.
@@ -25,7 +25,7 @@ pub fn floors(runs: &[Run], metric: Metric) -> Vec<Floor> {
     let candidates = Candidate::all(runs, metric);
     let key = |r| (Run::label(r), r.backend, r.software);
     let mut floors = Vec::new();
-    for (place, here) in grouped(&candidates, Problem::of) {
+    for (problem, here) in grouped(&candidates, Problem::of) {
         let methods = grouped(&here, key);
         floors.extend(methods.iter().filter_map(|(_, runs)| {
             let least = runs
@@ -34,7 +34,7 @@ pub fn floors(runs: &[Run], metric: Metric) -> Vec<Floor> {
             let as_good = runs.iter().filter(|c| c.error.alike(least.error));
             let soonest = as_good.min_by(|a, b| a.time.ms.total_cmp(&b.time.ms))?;
             Some(Floor {
-                place: place.clone(),
+                problem: problem.clone(),
                 least: Choice::of(least, runs),
                 soonest: Choice::of(soonest, runs),
                 reached: runs.iter().any(|c| soonest.time.surely_less(c.time)),

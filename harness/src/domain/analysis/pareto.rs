@@ -10,7 +10,7 @@ use serde::Serialize;
 pub struct Front {
     /// What is estimated.
     #[serde(flatten)]
-    pub place: Problem,
+    pub problem: Problem,
     /// The runs on the front, fastest first. `rivals` are those inside the noise that could displace it.
     pub members: Vec<Standing>,
     /// Runs beside the front that could belong to it, since none beats them beyond doubt, fastest first.
@@ -51,7 +51,7 @@ pub fn fronts(runs: &[Run]) -> Vec<usize> {
 pub fn pareto(runs: &[Run], metric: Metric) -> Vec<Front> {
     let candidates = Candidate::all(runs, metric);
     let groups = grouped(&candidates, Problem::of);
-    let front = |(place, mut group): (Problem, Vec<Candidate<'_>>)| {
+    let front = |(problem, mut group): (Problem, Vec<Candidate<'_>>)| {
         group.sort_by(|a, b| a.time.ms.total_cmp(&b.time.ms));
         let (members, others): (Vec<_>, Vec<_>) = group
             .iter()
@@ -64,7 +64,7 @@ pub fn pareto(runs: &[Run], metric: Metric) -> Vec<Front> {
             .iter()
             .filter(|c| !group.iter().any(|other| other.surely_beats(c)));
         Front {
-            place,
+            problem,
             members: members
                 .iter()
                 .map(|c| standing(c, &|other| other.may_beat(c)))

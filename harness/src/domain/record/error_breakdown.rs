@@ -20,7 +20,7 @@ pub struct Floor {
 
 /// The way from the truth to an estimate, in steps that add up.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Split {
+pub struct ErrorBreakdown {
     /// Name of the scene.
     pub scene: String,
     /// Name of the quantity, in snake case.

@@ -1,7 +1,7 @@
 //! What models leave out, and what errors are made of, as tables.
 
 use crate::domain::format;
-use crate::domain::record::{Backend, Floor, Part, Run, Split};
+use crate::domain::record::{Backend, ErrorBreakdown, Floor, Part, Run};
 use crate::presenting::table::{Table, Tables};
 use interreflect_scene::params::FIDELITY;
 
@@ -35,9 +35,9 @@ pub fn bias_floors(floors: &[Floor]) -> Vec<Tables> {
 }
 
 /// The steps from the truth to each estimate, a table for all methods that leave out the same.
-pub fn splits(splits: &[Split]) -> Vec<Tables> {
-    let mut groups: Vec<Vec<&Split>> = Vec::new();
-    let key = |s: &Split| {
+pub fn splits(splits: &[ErrorBreakdown]) -> Vec<Tables> {
+    let mut groups: Vec<Vec<&ErrorBreakdown>> = Vec::new();
+    let key = |s: &ErrorBreakdown| {
         let parts: Vec<String> = s.parts.iter().map(|p| p.name.clone()).collect();
         (s.scene.clone(), s.quantity.clone(), parts)
     };
@@ -50,9 +50,9 @@ pub fn splits(splits: &[Split]) -> Vec<Tables> {
     groups.iter().map(|group| split_table(group)).collect()
 }
 
-fn split_table(group: &[&Split]) -> Tables {
+fn split_table(group: &[&ErrorBreakdown]) -> Tables {
     let parts = group[0].parts.iter().map(|p| p.name.clone());
-    let row = |split: &&Split| {
+    let row = |split: &&ErrorBreakdown| {
         let cells = split.parts.iter().map(cell);
         std::iter::once(label(split, group)).chain(cells).collect()
     };
@@ -79,7 +79,7 @@ fn cell(part: &Part) -> String {
 }
 
 /// Estimator, fidelity and what varies among those beside it.
-fn label(split: &Split, group: &[&Split]) -> String {
+fn label(split: &ErrorBreakdown, group: &[&ErrorBreakdown]) -> String {
     let mut run = Run::new("", &*split.estimator, Backend::Cpu, "");
     run.fidelity.clone_from(&split.fidelity);
     let same = || group.iter().filter(|s| s.estimator == split.estimator);

@@ -14,7 +14,7 @@ use std::fmt::Write as _;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sheet {
     /// Where its runs took place.
-    pub place: Problem,
+    pub problem: Problem,
     /// What it says.
     pub table: table::Table,
     /// Number of the first column of numbers.
@@ -30,7 +30,7 @@ impl Conclusions {
             .iter()
             .chain(&self.equal_error)
             .map(Table::sheet);
-        let floors = self.floors.chunk_by(|a, b| a.place == b.place);
+        let floors = self.floors.chunk_by(|a, b| a.problem == b.problem);
         let floors = floors.map(|group| floor_sheet(group, self.metric));
         fronts.chain(equal).chain(floors).collect()
     }
@@ -52,8 +52,8 @@ impl Conclusions {
             sheet.table.note += marks.trim_end();
             sheet.table.caption = capitalised(sheet.table.caption.trim_start_matches([':', ' ']));
             table::Tables {
-                scene: sheet.place.scene,
-                quantity: sheet.place.quantity,
+                scene: sheet.problem.scene,
+                quantity: sheet.problem.quantity,
                 tables: vec![sheet.table],
             }
         };
@@ -86,7 +86,7 @@ impl Front {
         let contenders = self.contenders.iter();
         let contenders = contenders.map(|c| row(c, "behind it, inside the noise"));
         Sheet {
-            place: self.place.clone(),
+            problem: self.problem.clone(),
             table: table::Table {
                 caption: format!(": front of {metric} and time"),
                 head: words(["run", "place", "on", "frame ms", "error"]),
@@ -125,7 +125,7 @@ impl Table {
         }
         let device = terminal::device(self.backend, self.software);
         Sheet {
-            place: self.place.clone(),
+            problem: self.problem.clone(),
             table: table::Table {
                 caption: format!(" on {device}: {asked}"),
                 head: std::iter::once(String::new()).chain(limits).collect(),
@@ -206,7 +206,7 @@ fn floor_sheet(floors: &[Floor], metric: Metric) -> Sheet {
     let open = floors.iter().any(|f| !f.reached);
     let note = "open: nothing slower was measured; more time may lower it";
     Sheet {
-        place: floors[0].place.clone(),
+        problem: floors[0].problem.clone(),
         table: table::Table {
             caption: format!(": least {metric} of each method"),
             head: words(["soonest at", "floor", "on", "frame ms", "least error"]),

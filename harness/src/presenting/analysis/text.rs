@@ -22,12 +22,12 @@ impl Conclusions {
 fn in_text(sheets: &[Sheet], width: Option<u16>) -> String {
     let mut text = String::new();
     for Sheet {
-        place,
+        problem,
         table,
         numbers,
     } in sheets
     {
-        let _ = writeln!(text, "\n{place}{}", table.caption);
+        let _ = writeln!(text, "\n{problem}{}", table.caption);
         let (names, cells) = table.head.split_at(*numbers);
         for (i, abreast) in cells.chunks(ABREAST).enumerate() {
             let from = numbers + i * ABREAST;
@@ -93,8 +93,8 @@ fn with_notes(text: String) -> String {
 impl Advice {
     fn text(&self) -> String {
         let device = terminal::device(self.backend, self.software);
-        let place = &self.place;
-        let mut text = format!("\n{place} on {device}, {}\n", self.budget);
+        let problem = &self.problem;
+        let mut text = format!("\n{problem} on {device}, {}\n", self.budget);
         let metric = self.budget.metric;
         let mut line = |choice: &Choice, before: &str| {
             let (frame, error) = (time(choice.frame), error(choice.error));

@@ -2,7 +2,7 @@
 
 use super::scene_quantity::SceneQuantity;
 use crate::domain::metrics::epsilon;
-use crate::domain::record::{Backend, ParamMap, Part, Split};
+use crate::domain::record::{Backend, ErrorBreakdown, ParamMap, Part};
 use crate::domain::significance::Difference;
 use crate::running::error::RunError;
 use crate::running::truth::TRUTH;
@@ -83,7 +83,7 @@ impl SceneQuantity<'_> {
         &mut self,
         method: &dyn Configured,
         backends: &[Backend],
-    ) -> Result<Split, RunError> {
+    ) -> Result<ErrorBreakdown, RunError> {
         let steps = left_out(method.model(self.quantity));
         let mut sum = Sum::new(self.points.clone(), self.references.model(TRUTH));
         for (name, model) in steps {
@@ -105,15 +105,15 @@ impl SceneQuantity<'_> {
             let name = "the GPU instead of the CPU";
             sum.step(name, Some(Backend::Gpu), &device, None);
         }
-        Ok(Split {
+        Ok(ErrorBreakdown {
             parts: sum.parts,
             ..self.no_split(method)
         })
     }
 
     /// A split without parts.
-    pub(super) fn no_split(&self, method: &dyn Configured) -> Split {
-        Split {
+    pub(super) fn no_split(&self, method: &dyn Configured) -> ErrorBreakdown {
+        ErrorBreakdown {
             scene: self.name.clone(),
             quantity: self.quantity.name().into(),
             estimator: method.info().id.into(),

@@ -2,7 +2,7 @@
 
 use crate::domain::files::FileError;
 use crate::domain::machine::Machine;
-use crate::domain::record::{Floor, Run, Split};
+use crate::domain::record::{ErrorBreakdown, Floor, Run};
 use crate::running::error::JournalError;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
@@ -20,7 +20,7 @@ pub(crate) enum Done {
     Run(Box<Run>),
     Baseline(Box<Run>),
     Floor(Box<Floor>),
-    Split(Box<Split>),
+    Split(Box<ErrorBreakdown>),
 }
 
 /// A finished task.

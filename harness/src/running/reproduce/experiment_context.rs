@@ -207,7 +207,7 @@ impl<'a> ExperimentContext<'a> {
     }
 
     /// Runs a method for its estimate alone: its record has no times.
-    pub(super) fn shot(
+    pub(super) fn run_once(
         &self,
         room: &Room<'_>,
         backend: Backend,
@@ -215,13 +215,14 @@ impl<'a> ExperimentContext<'a> {
         quantity: Quantity,
         points: &Points,
     ) -> Result<MeasuredRun, RunError> {
-        let mut shot = self.measured(room, backend, method, (quantity, points), &Sampling::ONCE)?;
-        shot.run.phases_ms = Phases::default();
-        Ok(shot)
+        let mut measured =
+            self.measured(room, backend, method, (quantity, points), &Sampling::ONCE)?;
+        measured.run.phases_ms = Phases::default();
+        Ok(measured)
     }
 
     /// Runs and times a method.
-    pub(super) fn timed_shot(
+    pub(super) fn run_timed(
         &self,
         room: &Room<'_>,
         backend: Backend,

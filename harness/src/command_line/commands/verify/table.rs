@@ -19,6 +19,7 @@ pub(super) fn of(records: &[Record], detailed: bool) -> String {
         "passed",
         "failed",
         "unclaimed",
+        "falsified",
         "n/a",
     ]);
     while let Some(first) = rest.first() {
@@ -63,6 +64,7 @@ fn line(group: &[Record]) -> Vec<String> {
         Verdict::Passed,
         Verdict::Failed,
         Verdict::Unclaimed,
+        Verdict::UnclaimedFalsified,
         Verdict::NotApplicable,
     ];
     let count = |verdict: Verdict| {

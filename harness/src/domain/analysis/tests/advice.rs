@@ -89,7 +89,7 @@ fn backends_scenes_and_quantities_have_their_own_advice() {
     let advice = advise(&runs, Budget::default());
     let of: Vec<_> = advice
         .iter()
-        .map(|a| (a.place.scene.as_str(), a.software))
+        .map(|a| (a.problem.scene.as_str(), a.software))
         .collect();
     assert_eq!(of, [("room", false), ("room", true), ("hall", false)]);
     assert_eq!(advise(&[], Budget::default()), []);

@@ -101,8 +101,8 @@ pub(super) fn compare(
     for backend in context.backends() {
         for fidelity in ["published", "corrected"] {
             let map = context.method("direct_radiance_map", &[("fidelity", &fidelity)])?;
-            let shot = context.shot(room, backend, &*map, quantity, &points)?;
-            let estimate = &shot.estimate;
+            let measured = context.run_once(room, backend, &*map, quantity, &points)?;
+            let estimate = &measured.estimate;
             let alike = Amount::exact(correlation(estimate, &truth.values));
             let energy =
                 Amount::exact(sum(estimate).element_sum() / sum(&truth.values).element_sum());
@@ -133,7 +133,7 @@ pub(super) fn compare(
                     alike,
                 });
             }
-            finding.runs.push(shot.run);
+            finding.runs.push(measured.run);
         }
     }
     let at = (format!("{case}, uniform ambient light"), ERROR);

@@ -52,8 +52,8 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
                 "direct_radiance_map",
                 &[("fidelity", &fidelity), ("samples_per_side", &5)],
             )?;
-            let with = context.shot(&bright, backend, &*map, quantity, &points)?;
-            let dark = context.shot(&black, backend, &*map, quantity, &points)?;
+            let with = context.run_once(&bright, backend, &*map, quantity, &points)?;
+            let dark = context.run_once(&black, backend, &*map, quantity, &points)?;
             let share = (total(&with.estimate) - total(&dark.estimate)) / gained;
             let at = |name: &'static str| (fidelity, name);
             finding.measure(at(ERROR), backend, judge.error(&with.estimate), "");

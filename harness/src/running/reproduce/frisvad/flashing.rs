@@ -85,8 +85,9 @@ fn sequences(
                         ("mip", &mip),
                     ],
                 )?;
-                let shot = context.shot(&room, backend, &*map, Quantity::Irradiance, points)?;
-                frames.push(shot.estimate);
+                let measured =
+                    context.run_once(&room, backend, &*map, Quantity::Irradiance, points)?;
+                frames.push(measured.estimate);
             }
         }
     }

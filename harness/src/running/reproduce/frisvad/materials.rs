@@ -49,14 +49,17 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
                         ("samples_per_side", &5),
                     ],
                 )?;
-                let shot = context.shot(&room, backend, &*map, quantity, &points)?;
+                let measured = context.run_once(&room, backend, &*map, quantity, &points)?;
                 let at = (fidelity, format!("{ERROR}, {caption}"));
-                finding.measure(at, backend, judge.error(&shot.estimate), "");
+                finding.measure(at, backend, judge.error(&measured.estimate), "");
                 if backend == context.backends()[0] {
-                    row.add(format!("{fidelity}, {caption}"), view.image(&shot.estimate));
+                    row.add(
+                        format!("{fidelity}, {caption}"),
+                        view.image(&measured.estimate),
+                    );
                 }
-                estimates.push(shot.estimate);
-                finding.runs.push(shot.run);
+                estimates.push(measured.estimate);
+                finding.runs.push(measured.run);
             }
             let what = format!("{fidelity}: whole material nearer than Lambert's law");
             finding

@@ -101,9 +101,9 @@ fn shoot(
         &[("fidelity", &"corrected"), ("samples_per_side", &5)],
     )?;
     let points = view.points(Quantity::Irradiance.layout());
-    let shot = context.shot(room, backend, &*map, Quantity::Irradiance, &points)?;
-    finding.runs.push(shot.run);
-    Ok(shot.estimate)
+    let measured = context.run_once(room, backend, &*map, Quantity::Irradiance, &points)?;
+    finding.runs.push(measured.run);
+    Ok(measured.estimate)
 }
 
 fn lit(view: &View, irradiance: &Estimate) -> HdrImage {

@@ -74,8 +74,8 @@ fn times(
     let mut all = Vec::new();
     for n in SAMPLES {
         let map = context.method("direct_radiance_map", &[("samples_per_side", &n)])?;
-        let shot = context.timed_shot(room, backend, &*map, Quantity::Irradiance, &points)?;
-        let ms = shot.frame_ms();
+        let measured = context.run_timed(room, backend, &*map, Quantity::Irradiance, &points)?;
+        let ms = measured.frame_ms();
         let rate = Amount::exact(1000.0).over(ms);
         finding.time(
             (name, format!("{n}×{n} frame")),
@@ -89,7 +89,7 @@ fn times(
             rate,
             ("frames/s", software),
         );
-        finding.runs.push(shot.run);
+        finding.runs.push(measured.run);
         all.push(ms);
     }
     Ok(all)

@@ -51,9 +51,9 @@ fn steps(
                     "sh_mip_envmap",
                     &[("fidelity", &fidelity), ("lod", &level), ("f_lambda", &1)],
                 )?;
-                let shot = context.shot(&room, backend, &*method, quantity, points)?;
-                finding.runs.push(shot.run);
-                Ok::<_, RunError>(mean_step(&shot.estimate))
+                let measured = context.run_once(&room, backend, &*method, quantity, points)?;
+                finding.runs.push(measured.run);
+                Ok::<_, RunError>(mean_step(&measured.estimate))
             };
             let seam = step("published", &across)?;
             let face = step("published", &inside)?;
@@ -145,8 +145,12 @@ fn pictures(
                 "sh_mip_envmap",
                 &[("fidelity", &fidelity), ("lod", &5), ("f_lambda", &1)],
             )?;
-            let shot = context.shot(&room, backend, &*method, Quantity::GlossyRadiance, &points)?;
-            row.add(format!("{caption}, {backend}"), view.image(&shot.estimate));
+            let measured =
+                context.run_once(&room, backend, &*method, Quantity::GlossyRadiance, &points)?;
+            row.add(
+                format!("{caption}, {backend}"),
+                view.image(&measured.estimate),
+            );
         }
     }
     finding.pictures.push(row);

@@ -42,9 +42,10 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
                     ("f_lambda", &f_lambda),
                 ],
             )?;
-            let shot = context.shot(&room, backend, &*method, Quantity::GlossyRadiance, &points)?;
-            finding.runs.push(shot.run);
-            Ok::<_, RunError>(shot.estimate)
+            let measured =
+                context.run_once(&room, backend, &*method, Quantity::GlossyRadiance, &points)?;
+            finding.runs.push(measured.run);
+            Ok::<_, RunError>(measured.estimate)
         };
         let mut plain = Vec::new();
         for bias in BIASES {

@@ -34,10 +34,10 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
             let first = backend == context.backends()[0];
             let harmonics = context.method("sh_mip_envmap", &[])?;
             let convolved = context.method("classic_envmap", &[])?;
-            let shot =
-                context.timed_shot(&room, backend, &*harmonics, Quantity::Irradiance, &points)?;
+            let measured =
+                context.run_timed(&room, backend, &*harmonics, Quantity::Irradiance, &points)?;
             // Points with a glossy part: the pyramid is then made too.
-            let both = context.timed_shot(
+            let both = context.run_timed(
                 &room,
                 backend,
                 &*harmonics,
@@ -45,8 +45,8 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
                 &materials,
             )?;
             let slow =
-                context.timed_shot(&room, backend, &*convolved, Quantity::Irradiance, &points)?;
-            let rms = judge.relative_rms(&shot.estimate);
+                context.run_timed(&room, backend, &*convolved, Quantity::Irradiance, &points)?;
+            let rms = judge.relative_rms(&measured.estimate);
             finding.measure((name, "rms error / mean"), backend, rms, "");
             for (label, ms) in [
                 ("both maps", both.prepare_ms()),
@@ -67,10 +67,10 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
                 slow.prepare_ms(),
             ));
             if first {
-                row.add("nine harmonics", view.image(&shot.estimate));
+                row.add("nine harmonics", view.image(&measured.estimate));
                 lit.add("harmonics and mip level", view.lit(&both.estimate));
             }
-            finding.runs.extend([shot.run, both.run, slow.run]);
+            finding.runs.extend([measured.run, both.run, slow.run]);
         }
         finding.pictures.extend([row, lit]);
     }

@@ -53,18 +53,18 @@ fn biases(context: &ExperimentContext<'_>, finding: &mut Finding) -> Result<(), 
                 "directional_ao",
                 &[("bias", &bias), ("map_resolution", &context.pick(256, 512))],
             )?;
-            let shot = context.shot(&room, backend, &*method, quantity, &points)?;
+            let measured = context.run_once(&room, backend, &*method, quantity, &points)?;
             finding.measure(
                 (format!("bias {label}"), ERROR),
                 backend,
-                judge.error(&shot.estimate),
+                judge.error(&measured.estimate),
                 "",
             );
             if backend == context.backends()[0] {
-                row.add(label, view.image(&shot.estimate));
+                row.add(label, view.image(&measured.estimate));
             }
-            estimates.push((label, shot.estimate));
-            finding.runs.push(shot.run);
+            estimates.push((label, measured.estimate));
+            finding.runs.push(measured.run);
         }
         for (rival, estimate) in &estimates[1..] {
             let what = format!("slope-scaled bias nearer than {rival}");

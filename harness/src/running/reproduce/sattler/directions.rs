@@ -45,10 +45,15 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
                     ("map_resolution", &context.pick(192, 512)),
                 ],
             )?;
-            let shot = context.shot(&room, backend, &*method, quantity, &points)?;
-            let rms = judge.relative_rms(&shot.estimate);
+            let measured = context.run_once(&room, backend, &*method, quantity, &points)?;
+            let rms = judge.relative_rms(&measured.estimate);
             let case = format!("k = {k}");
-            finding.measure((&*case, ERROR), backend, judge.error(&shot.estimate), "");
+            finding.measure(
+                (&*case, ERROR),
+                backend,
+                judge.error(&measured.estimate),
+                "",
+            );
             finding.measure((&*case, "rms difference / mean"), backend, rms, "");
             if level == ENOUGH {
                 let what = format!("{case}: rms difference over mean");
@@ -57,10 +62,10 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
                     .push(Trial::less(what, backend, rms, Amount::exact(NEAR)));
             }
             if backend == context.backends()[0] {
-                row.add(case, view.image(&shot.estimate));
+                row.add(case, view.image(&measured.estimate));
             }
-            estimates.push((k, shot.estimate));
-            finding.runs.push(shot.run);
+            estimates.push((k, measured.estimate));
+            finding.runs.push(measured.run);
         }
         for pair in estimates.windows(2) {
             let what = format!("{} directions nearer than {}", pair[1].0, pair[0].0);

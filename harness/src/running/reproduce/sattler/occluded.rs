@@ -82,14 +82,14 @@ fn compare(
         let open = context.method("sh_mip_envmap", &[])?;
         let mut estimates = Vec::new();
         for (label, method) in [("without occlusion", open), ("with occlusion", occluded)] {
-            let shot = context.shot(&room, backend, &*method, quantity, &points)?;
+            let measured = context.run_once(&room, backend, &*method, quantity, &points)?;
             // The paper's sum has no weight: its pictures are as bright as they are made.
             let [to_all, to_own] = [&judge, &own].map(|judge| {
-                let estimate = scaled(&shot.estimate, judge.factor(&shot.estimate));
+                let estimate = scaled(&measured.estimate, judge.factor(&measured.estimate));
                 (judge.error(&estimate), estimate)
             });
             let at = |name: &str| (case.to_owned(), format!("{name}, {label}"));
-            let factor = Amount::exact(judge.factor(&shot.estimate));
+            let factor = Amount::exact(judge.factor(&measured.estimate));
             finding.measure(at(ERROR), backend, to_all.0, "");
             finding.measure(at("to occluded environment light"), backend, to_own.0, "");
             finding.measure(at("factor on brightness"), backend, factor, "");
@@ -97,7 +97,7 @@ fn compare(
                 row.add(label, view.image(&to_all.1));
             }
             estimates.push([to_all.1, to_own.1]);
-            finding.runs.push(shot.run);
+            finding.runs.push(measured.run);
         }
         if let [without, with] = &estimates[..] {
             for (i, (judge, reference)) in

@@ -69,18 +69,18 @@ fn moved_by(
     let case = format!("moved {moved} m");
     let mut row = Row::against(&*case, "truth", view.image(&truth.values), view.surfaces());
     for backend in context.backends() {
-        let mut shots = Vec::new();
+        let mut runs = Vec::new();
         for (label, within_m) in [("fresh", 0.0), ("kept", 1.0)] {
             let method = map(context, within_m)?;
-            let shot =
-                context.timed_shot(&room, backend, &*method, Quantity::Irradiance, &points)?;
+            let measured =
+                context.run_timed(&room, backend, &*method, Quantity::Irradiance, &points)?;
             if backend == context.backends()[0] {
-                row.add(label, view.image(&shot.estimate));
+                row.add(label, view.image(&measured.estimate));
             }
-            shots.push((shot.frame_ms(), judge.error(&shot.estimate)));
-            finding.runs.push(shot.run);
+            runs.push((measured.frame_ms(), judge.error(&measured.estimate)));
+            finding.runs.push(measured.run);
         }
-        if let [fresh, kept] = shots[..] {
+        if let [fresh, kept] = runs[..] {
             let software = context.software(backend);
             weigh(
                 (&case, backend, software),
@@ -118,9 +118,9 @@ fn shared(
     let judge = Judge::new(truth, &points);
     let method = map(context, 0.0)?;
     let mut shoot = |room: &Room<'_>| {
-        let shot = context.timed_shot(room, backend, &*method, Quantity::Irradiance, &points)?;
-        finding.runs.push(shot.run.clone());
-        Ok::<_, RunError>(shot)
+        let measured = context.run_timed(room, backend, &*method, Quantity::Irradiance, &points)?;
+        finding.runs.push(measured.run.clone());
+        Ok::<_, RunError>(measured)
     };
     let one = shoot(&room)?;
     let mut own = Vec::new();
@@ -129,9 +129,9 @@ fn shared(
         (there.reference_point, there.captured_at) = (at, None);
         own.push(shoot(&context.set_up(&there)?)?);
     }
-    let estimates: Vec<&Estimate> = own.iter().map(|shot| &shot.estimate).collect();
+    let estimates: Vec<&Estimate> = own.iter().map(|measured| &measured.estimate).collect();
     let each = of_the_nearest(&points, &middles, &estimates);
-    let capture = |shot: &super::super::measured_run::MeasuredRun| shot.frame_ms();
+    let capture = |measured: &super::super::measured_run::MeasuredRun| measured.frame_ms();
     let both_ms = own.iter().map(capture).reduce(|a, b| Amount {
         value: a.value + b.value,
         spread: a.spread.hypot(b.spread),

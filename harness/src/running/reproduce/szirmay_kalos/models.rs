@@ -93,8 +93,8 @@ fn compare(
     );
     for backend in context.backends() {
         let mut shoot = |label: &str, method: &dyn Configured| {
-            let shot = context.shot(room, backend, method, quantity, &points)?;
-            let estimate = brought(&shot.estimate);
+            let measured = context.run_once(room, backend, method, quantity, &points)?;
+            let estimate = brought(&measured.estimate);
             finding.measure(
                 (case, format!("{ERROR}, {label}")),
                 backend,
@@ -110,7 +110,7 @@ fn compare(
                     "",
                 );
             }
-            finding.runs.push(shot.run);
+            finding.runs.push(measured.run);
             if backend == context.backends()[0] {
                 row.add(label, view.image(&estimate));
             }

@@ -42,20 +42,20 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
         let mut shade = Vec::new();
         for (label, id) in METHODS {
             let method = context.method(id, &[("bounces", &4)])?;
-            let shot =
-                context.timed_shot(&room, backend, &*method, Quantity::Irradiance, &points)?;
+            let measured =
+                context.run_timed(&room, backend, &*method, Quantity::Irradiance, &points)?;
             for (name, ms) in [
-                ("preparing", shot.prepare_ms()),
-                ("shading", shot.shade_ms()),
-                ("frame with a fresh map", shot.frame_ms()),
+                ("preparing", measured.prepare_ms()),
+                ("shading", measured.shade_ms()),
+                ("frame with a fresh map", measured.frame_ms()),
             ] {
                 finding.time((label, name), backend, ms, ("ms", software));
             }
-            shade.push(shot.shade_ms());
+            shade.push(measured.shade_ms());
             if backend == context.backends()[0] {
-                row.add(label, view.image(&shot.estimate));
+                row.add(label, view.image(&measured.estimate));
             }
-            finding.runs.push(shot.run);
+            finding.runs.push(measured.run);
         }
         let ratio = shade[2].over(shade[1]);
         finding.time(

@@ -41,16 +41,16 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
         for backend in context.backends() {
             let mut shoot = |label: &str, id: &str, parameters: &[(&str, &dyn ToString)]| {
                 let method = context.method(id, parameters)?;
-                let shot = context.shot(&room, backend, &*method, quantity, &points)?;
+                let measured = context.run_once(&room, backend, &*method, quantity, &points)?;
                 let at = |name: &str| (format!("M = {m}, {label}"), name.to_owned());
-                finding.measure(at(ERROR), backend, judge.error(&shot.estimate), "");
-                let spike = Amount::exact(judge.spike(&shot.estimate));
+                finding.measure(at(ERROR), backend, judge.error(&measured.estimate), "");
+                let spike = Amount::exact(judge.spike(&measured.estimate));
                 finding.measure(at("spike / mean"), backend, spike, "");
                 if backend == context.backends()[0] {
-                    row.add(label, view.image(&shot.estimate));
+                    row.add(label, view.image(&measured.estimate));
                 }
-                finding.runs.push(shot.run);
-                Ok::<_, RunError>(shot.estimate)
+                finding.runs.push(measured.run);
+                Ok::<_, RunError>(measured.estimate)
             };
             let four: (&str, &dyn ToString) = ("bounces", &4);
             let edge: (&str, &dyn ToString) = ("resolution", &m);

@@ -59,20 +59,21 @@ fn at(
     for backend in context.backends() {
         let mut spike = |label: &str, id: &str, parameters: &[(&str, &dyn ToString)]| {
             let method = context.method(id, parameters)?;
-            let shot = context.shot(room, backend, &*method, Quantity::Irradiance, &points)?;
-            let spike = judge.spike(&shot.estimate);
+            let measured =
+                context.run_once(room, backend, &*method, Quantity::Irradiance, &points)?;
+            let spike = judge.spike(&measured.estimate);
             finding.measure(
                 (&*case, format!("spike of {label} / mean")),
                 backend,
                 Amount::exact(spike),
                 "",
             );
-            let error = judge.error(&shot.estimate);
+            let error = judge.error(&measured.estimate);
             finding.measure((&*case, format!("{ERROR}, {label}")), backend, error, "");
             if backend == context.backends()[0] {
-                row.add(label, image(&shot.estimate));
+                row.add(label, image(&measured.estimate));
             }
-            finding.runs.push(shot.run);
+            finding.runs.push(measured.run);
             Ok::<_, RunError>(spike)
         };
         let bounces: (&str, &dyn ToString) = ("bounces", &4);
