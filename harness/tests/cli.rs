@@ -151,7 +151,10 @@ const BENCH: &str = "bench furnace --estimator constant_ambient --estimator loca
 fn bench_prints_machine_and_runs() {
     let folder = Folder::new();
     let results = folder.json(&format!("{BENCH} --json"));
-    assert_eq!(keys(&results), ["command", "machine", "runs", "seed"]);
+    assert_eq!(
+        keys(&results),
+        ["command", "invocation", "machine", "runs", "seed"]
+    );
     for word in [
         "cpu",
         "threads",

@@ -72,7 +72,7 @@ fn untimed(mut json: Value) -> Value {
     ] {
         json.as_object_mut().unwrap().remove(name);
     }
-    for kind in ["records", "baselines"] {
+    for kind in ["runs", "baselines"] {
         for run in json[kind].as_array_mut().unwrap() {
             let run = run.as_object_mut().unwrap();
             for name in ["phases_ms", "slowed"] {
@@ -112,7 +112,7 @@ fn same(found: &Value, wanted: &Value) -> Result<(), Failed> {
 }
 
 fn records(json: &Value) -> &Vec<Value> {
-    json["records"].as_array().unwrap()
+    json["runs"].as_array().unwrap()
 }
 
 fn printed() -> Result<(), Failed> {

@@ -1,8 +1,8 @@
 //! A small report whose numbers are known.
 
 use glam::Vec3;
+use interreflect::image::HdrImage;
 use interreflect::machine::Machine;
-use interreflect::output::HdrImage;
 use interreflect::record::{Backend, Comparison, Phases, Results, Run, Timing, Verdict};
 use interreflect::report::{ImageRow, LabelledImage, Report};
 use interreflect_scene::params::Value;

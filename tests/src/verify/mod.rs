@@ -67,6 +67,8 @@ pub enum Verdict {
     NotApplicable,
     /// Not claimed, and not falsified in the cases that were tried.
     Unclaimed,
+    /// Not claimed, and falsified: the method is right not to claim it.
+    UnclaimedFalsified,
 }
 
 impl Verdict {
@@ -77,6 +79,7 @@ impl Verdict {
             Self::Failed => "failed",
             Self::NotApplicable => "not_applicable",
             Self::Unclaimed => "unclaimed",
+            Self::UnclaimedFalsified => "unclaimed_falsified",
         }
     }
 }
@@ -219,7 +222,9 @@ fn judged(asked: &Asked, found: Found) -> Checked {
                     Verdict::Unclaimed,
                     "not claimed, and not falsified in the cases tried",
                 ),
-                (Asked::Tried, false) => (Verdict::NotApplicable, "not claimed, and falsified"),
+                (Asked::Tried, false) => {
+                    (Verdict::UnclaimedFalsified, "not claimed, and falsified")
+                }
             };
             Checked {
                 verdict,

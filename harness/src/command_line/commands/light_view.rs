@@ -1,0 +1,117 @@
+//! `render --show light_view`: the pictures that an estimator takes from the lights, side by side
+//! (P3, Figure 6).
+
+use super::render::OUT;
+use super::{load, print_line};
+use crate::command_line::cli::Render;
+use crate::command_line::error::CommandError;
+use crate::command_line::invocation::Invoked;
+use crate::domain::image::{Exposure, HdrImage};
+use crate::presenting::output::{Header, write_exr, write_png};
+use crate::running::context::{Context, GpuUse};
+use crate::running::stages::light_views;
+use glam::Vec3;
+use interreflect_estimators::{Quantity, Registry};
+use interreflect_scene::LightViewImage;
+
+/// Pixels along the edge of a shown view, at least: texels are enlarged to whole blocks.
+const SHOWN: usize = 256;
+
+pub(super) fn run(
+    command: &Render,
+    registry: Registry,
+    invoked: &Invoked,
+) -> Result<(), CommandError> {
+    let context = Context::new(registry, &command.run.context())?;
+    let id = [command.estimator.clone()];
+    context.check_owners(&id, &command.settings)?;
+    let method = context.configure(&command.estimator, &command.settings)?;
+    let gpu = GpuUse::required_in(command.backend.list());
+    let scene = (&*command.scene, &command.scene_options);
+    let loaded = load(&context, scene, &command.settings, gpu)?;
+    let scene = loaded.scene();
+    let quantity = command.quantity.or(method.quantities().first().copied());
+    let quantity = quantity.unwrap_or(Quantity::Irradiance);
+    let needs = method.needs(quantity, &scene.facts())?;
+    if needs.light_views.is_empty() {
+        return Err(CommandError::Usage(format!(
+            "--show light_view: {} takes no pictures from the lights; `interreflect list --needs` \
+             says which estimators do",
+            command.estimator
+        )));
+    }
+    let folder = command.out.clone().unwrap_or_else(|| OUT.into());
+    for &backend in command.backend.list() {
+        for views in light_views(&loaded, backend, &needs)? {
+            for (channel, values, shown) in channels(&views) {
+                let (name, id) = (&scene.name, method.info().id);
+                let stem = format!("{name}-{id}-light_view-{channel}-{backend}");
+                write_exr(
+                    &folder.join(format!("{stem}.exr")),
+                    &sheet(&views, &values, 1),
+                    None,
+                    &Header::of_program(&invoked.line, &context.machine(), context.seed)
+                        .with("scene", name)
+                        .with("estimator", id)
+                        .with("backend", backend.to_string())
+                        .with("shown", format!("light view, {channel}")),
+                )?;
+                let factor = SHOWN.div_ceil(views.size as usize);
+                let image = sheet(&views, &shown, factor);
+                let png = folder.join(format!("{stem}.png"));
+                write_png(&png, &image, Exposure::of(&image))?;
+                print_line(&png.display().to_string())?;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Name of each channel that there is, its values, and these as colours in [0, 1] or as radiance.
+fn channels(views: &LightViewImage) -> Vec<(&'static str, Vec<Vec3>, Vec<Vec3>)> {
+    let (low, size) = (views.bounds.low, views.bounds.high - views.bounds.low);
+    let hit = |i: usize| views.path_m[i] > 0.0;
+    let where_hit = |values: &[Vec3], colour: &dyn Fn(Vec3) -> Vec3| -> Vec<Vec3> {
+        let values = values.iter().enumerate();
+        values
+            .map(|(i, v)| if hit(i) { colour(*v) } else { Vec3::ZERO })
+            .collect()
+    };
+    let place = |p: Vec3| (p - low) / size.max(Vec3::splat(f32::MIN_POSITIVE));
+    let shown = [
+        (
+            "position",
+            &views.position,
+            where_hit(&views.position, &place),
+        ),
+        ("radiance", &views.radiance, views.radiance.clone()),
+        (
+            "normal",
+            &views.normal,
+            where_hit(&views.normal, &|n| 0.5 + 0.5 * n),
+        ),
+    ];
+    let there = shown
+        .into_iter()
+        .filter(|(_, values, _)| !values.is_empty());
+    there
+        .map(|(name, values, shown)| (name, values.clone(), shown))
+        .collect()
+}
+
+/// The views side by side, each texel as a block of pixels.
+fn sheet(views: &LightViewImage, values: &[Vec3], factor: usize) -> HdrImage {
+    let size = views.size as usize;
+    let (width, height) = (views.frames.len() * size * factor, size * factor);
+    let pixel = |i: usize| {
+        let (x, y) = (i % width / factor, i / width / factor);
+        let (frame, column) = (x / size, x % size);
+        let (column, row) = (column as u32, y as u32);
+        values[interreflect_scene::light_view::view_index(views.size, frame, column, row)]
+    };
+    HdrImage {
+        width,
+        height,
+        pixels: (0..width * height).map(pixel).collect(),
+    }
+}

@@ -1,0 +1,188 @@
+//! `render`: an image with one estimator.
+
+use super::{load, print_json, print_line};
+use crate::command_line::cli::Render;
+use crate::command_line::error::CommandError;
+use crate::command_line::invocation::Invoked;
+use crate::domain::image::{Exposure, HdrImage};
+use crate::domain::record::{Backend, Phases, Run};
+use crate::presenting::output::{Header, write_exr, write_png};
+use crate::running::clock::Sampling;
+use crate::running::context::{Context, GpuUse};
+use crate::running::stages::{Timed, measure_on};
+use crate::running::view::View;
+use glam::Vec3;
+use interreflect_estimators::{Configured, Quantity, Registry};
+use interreflect_scene::{Camera, Estimate, PointLayout, Points, Scene};
+use serde::Serialize;
+use std::f32::consts::FRAC_1_PI;
+use std::path::PathBuf;
+
+/// Folder for images if nothing is said.
+pub(super) const OUT: &str = "results";
+
+#[derive(Serialize)]
+struct Rendered {
+    scene: String,
+    estimator: &'static str,
+    backend: Backend,
+    software: bool,
+    quantity: &'static str,
+    shown: &'static str,
+    resolution: [u32; 2],
+    points: usize,
+    phases_ms: Phases,
+    exr: PathBuf,
+    png: PathBuf,
+}
+
+pub(super) fn run(
+    command: &Render,
+    registry: Registry,
+    invoked: &Invoked,
+) -> Result<(), CommandError> {
+    let context = Context::new(registry, &command.run.context())?;
+    let id = [command.estimator.clone()];
+    context.check_owners(&id, &command.settings)?;
+    let method = context.configure(&command.estimator, &command.settings)?;
+    let shown = Shown::choose(&*method, command.quantity);
+    let gpu = GpuUse::required_in(command.backend.list());
+    let loaded = load(
+        &context,
+        (&*command.scene, &command.scene_options),
+        &command.settings,
+        gpu,
+    )?;
+    let scene = &loaded.cpu().scene;
+    let camera = resized(scene.scene(), command);
+    let view = context
+        .cpu
+        .install(|| View::with(scene, &camera, command.look()))?;
+    let points = view.points(shown.quantity().layout());
+    let materials = view.points(PointLayout::Material);
+    let mut rendered = Vec::new();
+    for &backend in command.backend.list() {
+        let Timed {
+            measured, software, ..
+        } = measure_on(
+            &loaded,
+            backend,
+            &*method,
+            shown.quantity(),
+            &points,
+            &Sampling::ONCE,
+        )?;
+        let image = shown.image(&view, &materials, &measured.estimate);
+        let stem = shown.stem(scene.scene(), &*method, backend);
+        let folder = command.out.clone().unwrap_or_else(|| OUT.into());
+        let (exr, png) = (
+            folder.join(format!("{stem}.exr")),
+            folder.join(format!("{stem}.png")),
+        );
+        let run = Run::of(&scene.scene().name, &*method, backend, shown.quantity());
+        let header = Header::of_program(&invoked.line, &context.machine(), context.seed)
+            .of_run(&run)
+            .with("shown", shown.name());
+        write_exr(&exr, &image, None, &header)?;
+        write_png(&png, &image, Exposure::of(&image))?;
+        rendered.push(Rendered {
+            scene: scene.scene().name.clone(),
+            estimator: method.info().id,
+            backend,
+            software,
+            quantity: shown.quantity().name(),
+            shown: shown.name(),
+            resolution: camera.resolution,
+            points: points.len(),
+            phases_ms: measured.phases,
+            exr,
+            png,
+        });
+    }
+    if command.json {
+        return print_json(&rendered);
+    }
+    for r in &rendered {
+        let ms = r.phases_ms.frame_ms().unwrap_or(0.0);
+        let software = if r.software {
+            " (software adapter)"
+        } else {
+            ""
+        };
+        print_line(&format!(
+            "{}  {} points, {ms:.1} ms a frame{software}",
+            r.png.display(),
+            r.points
+        ))?;
+    }
+    Ok(())
+}
+
+pub(super) fn resized(scene: &Scene, command: &Render) -> Camera {
+    let [width, height] = scene.camera.resolution;
+    Camera {
+        resolution: [
+            command.width.unwrap_or(width),
+            command.height.unwrap_or(height),
+        ],
+        ..scene.camera
+    }
+}
+
+/// What the image shows.
+pub(super) enum Shown {
+    /// The quantity by itself.
+    Quantity(Quantity),
+    /// All light that reaches the camera: direct light and, from the estimate, indirect light.
+    Light(Quantity),
+}
+
+impl Shown {
+    pub(super) fn choose(method: &dyn Configured, asked: Option<Quantity>) -> Self {
+        let offered = method.quantities();
+        match asked {
+            Some(quantity) => Self::Quantity(quantity),
+            None if offered.contains(&Quantity::GlossyRadiance) => {
+                Self::Light(Quantity::GlossyRadiance)
+            }
+            None if offered.contains(&Quantity::Irradiance) => Self::Light(Quantity::Irradiance),
+            None => Self::Quantity(offered.first().copied().unwrap_or(Quantity::Irradiance)),
+        }
+    }
+
+    pub(super) fn quantity(&self) -> Quantity {
+        match self {
+            Self::Quantity(quantity) | Self::Light(quantity) => *quantity,
+        }
+    }
+
+    pub(super) fn name(&self) -> &'static str {
+        match self {
+            Self::Quantity(quantity) => quantity.name(),
+            Self::Light(_) => "light",
+        }
+    }
+
+    /// Name of an image without its ending.
+    pub(super) fn stem(&self, scene: &Scene, method: &dyn Configured, backend: Backend) -> String {
+        let fidelity = method.fidelity().map(|f| format!("-{f}"));
+        let fidelity = fidelity.unwrap_or_default();
+        let (scene, id) = (&scene.name, method.info().id);
+        format!("{scene}-{id}{fidelity}-{}-{backend}", self.name())
+    }
+
+    pub(super) fn image(&self, view: &View, points: &Points, estimate: &Estimate) -> HdrImage {
+        match self {
+            Self::Quantity(_) => view.image(estimate),
+            Self::Light(Quantity::GlossyRadiance) => view.lit(estimate),
+            Self::Light(_) => {
+                let mut reflected = Estimate::new(estimate.len());
+                for (i, point) in points.iter().enumerate() {
+                    let albedo = point.map_or(Vec3::ZERO, |p| p.material.diffuse);
+                    reflected.set(i, estimate.get(i) * albedo * FRAC_1_PI);
+                }
+                view.lit(&reflected)
+            }
+        }
+    }
+}

@@ -1,0 +1,278 @@
+//! What experiments work with: scenes on the backends, methods, and measurements.
+
+use super::assets::{Assets, Model};
+use super::experiment_scene::{ExperimentScene, setting};
+use super::finding::Finding;
+use super::measured_run::MeasuredRun;
+use crate::domain::record::{Backend, Phases, Run};
+use crate::running::clock::Sampling;
+use crate::running::context::{Context, GpuUse};
+use crate::running::error::RunError;
+use crate::running::frames::{Frame, Shaded};
+use crate::running::run_record;
+use crate::running::stages::{Sequence, measure_on, next_frame};
+use crate::running::truth::References;
+use crate::running::view::{Look, View};
+use interreflect_cpu::path_tracer::Stop;
+use interreflect_estimators::execution::LoadedScene;
+use interreflect_estimators::{Configured, Quantity, VisibleTriangles};
+use interreflect_scene::motion::Moves;
+use interreflect_scene::{Camera, Points, Role, Scene};
+
+/// Share of a mesh's area turned inside out above which it is remarked.
+const FOLDED: f64 = 1e-3;
+
+/// Methods, backends and models, and how much effort is made.
+pub struct ExperimentContext<'a> {
+    context: &'a Context,
+    backends: Vec<Backend>,
+    assets: Assets,
+    quick: bool,
+}
+
+impl<'a> ExperimentContext<'a> {
+    /// A context for those of the backends that there are; `quick` takes fewer points, samples and cases.
+    pub fn new(context: &'a Context, backends: Vec<Backend>, assets: Assets, quick: bool) -> Self {
+        Self {
+            context,
+            backends,
+            assets,
+            quick,
+        }
+    }
+
+    /// The backends that there are.
+    pub(super) fn backends(&self) -> Vec<Backend> {
+        self.backends.clone()
+    }
+
+    /// The one of two that the effort calls for.
+    pub(super) fn pick<T>(&self, quick: T, full: T) -> T {
+        if self.quick { quick } else { full }
+    }
+
+    /// Points of a picture.
+    pub(super) fn points(&self) -> usize {
+        self.pick(8_000, 16_000)
+    }
+
+    /// When references are good enough.
+    pub(super) fn stop(&self) -> Stop {
+        Stop {
+            samples: Some(self.pick(64, 256)),
+            ..Stop::default()
+        }
+    }
+
+    /// A model, or what takes its place.
+    pub(super) fn mesh(&self, name: &str) -> Model {
+        self.assets.mesh(name)
+    }
+
+    /// The models and maps.
+    pub(super) fn assets(&self) -> &Assets {
+        &self.assets
+    }
+
+    /// Opens a scene; what takes something's place in it is noted, and what is wrong with a mesh.
+    pub(super) fn scene(
+        &self,
+        place: &ExperimentScene,
+        finding: &mut Finding,
+    ) -> Result<Scene, RunError> {
+        for note in &place.notes {
+            finding.note(note.as_str());
+        }
+        let scene = self
+            .context
+            .scene(&place.source, &place.changes, &place.settings)?;
+        for object in scene.objects_of(Role::Receiver) {
+            let folded = object.mesh.folded_share();
+            if folded > FOLDED {
+                finding.note(format!(
+                    "{}: {:.1} % of its area is in triangles that are turned inside out, and seen as \
+                     dark dots",
+                    object.name,
+                    100.0 * folded
+                ));
+            }
+        }
+        Ok(scene)
+    }
+
+    /// Sets a scene up on the backends.
+    pub(super) fn set_up(&self, scene: &Scene) -> Result<LoadedScene, RunError> {
+        let gpu = GpuUse::where_listed(&self.backends);
+        self.context.set_up(&self.context.cpu, scene, gpu)
+    }
+
+    /// Opens a scene and sets it up.
+    pub(super) fn room(
+        &self,
+        place: &ExperimentScene,
+        finding: &mut Finding,
+    ) -> Result<LoadedScene, RunError> {
+        self.set_up(&self.scene(place, finding)?)
+    }
+
+    /// What a room's camera sees, cropped to about as many shaded points as a picture has.
+    pub(super) fn view(&self, room: &LoadedScene) -> Result<View, RunError> {
+        self.view_of(room, self.points())
+    }
+
+    /// As [`Self::view`], of about as many points as said.
+    pub(super) fn view_of(&self, room: &LoadedScene, count: usize) -> Result<View, RunError> {
+        let scene = &*room.cpu().scene;
+        let camera = scene.scene().camera;
+        self.context
+            .cpu
+            .install(|| View::of_about(scene, &camera, count))
+    }
+
+    /// What a room's camera sees, `width` pixels wide.
+    pub(super) fn whole_view(
+        &self,
+        room: &LoadedScene,
+        width: u32,
+        look: Look,
+    ) -> Result<View, RunError> {
+        let scene = &*room.cpu().scene;
+        let camera = scene.scene().camera;
+        let [w, h] = camera.resolution;
+        let camera = Camera {
+            resolution: [width, (width * h).div_ceil(w)],
+            ..camera
+        };
+        self.context
+            .cpu
+            .install(|| View::with(scene, &camera, look))
+    }
+
+    /// A method with parameters.
+    pub(super) fn method(
+        &self,
+        id: &str,
+        parameters: &[(&str, &dyn ToString)],
+    ) -> Result<Box<dyn Configured>, RunError> {
+        let settings = parameters
+            .iter()
+            .map(|(name, value)| setting(name, value.to_string()));
+        self.context.configure(id, &settings.collect::<Vec<_>>())
+    }
+
+    /// The references of a quantity at points, none of them computed yet.
+    pub(super) fn references<'b>(
+        &'b self,
+        room: &'b LoadedScene,
+        quantity: Quantity,
+        points: &'b Points,
+    ) -> References<'b> {
+        self.references_to(self.stop(), room, quantity, points)
+    }
+
+    /// As [`Self::references`], with eight times as many samples: for what is cheap to trace and judged by
+    /// more than a mean.
+    pub(super) fn precise<'b>(
+        &'b self,
+        room: &'b LoadedScene,
+        quantity: Quantity,
+        points: &'b Points,
+    ) -> References<'b> {
+        let stop = Stop {
+            samples: self.stop().samples.map(|n| 8 * n),
+            ..Stop::default()
+        };
+        self.references_to(stop, room, quantity, points)
+    }
+
+    fn references_to<'b>(
+        &'b self,
+        stop: Stop,
+        room: &'b LoadedScene,
+        quantity: Quantity,
+        points: &'b Points,
+    ) -> References<'b> {
+        let (cx, seed) = (&self.context.cpu, self.context.seed);
+        References::new(cx, &room.cpu().scene, quantity, points, stop, seed)
+    }
+
+    /// Runs a method for its estimate alone: its record has no times.
+    pub(super) fn run_once(
+        &self,
+        room: &LoadedScene,
+        backend: Backend,
+        method: &dyn Configured,
+        quantity: Quantity,
+        points: &Points,
+    ) -> Result<MeasuredRun, RunError> {
+        let mut measured =
+            self.measured(room, backend, method, (quantity, points), &Sampling::ONCE)?;
+        measured.run.phases_ms = Phases::default();
+        Ok(measured)
+    }
+
+    /// Runs and times a method.
+    pub(super) fn run_timed(
+        &self,
+        room: &LoadedScene,
+        backend: Backend,
+        method: &dyn Configured,
+        quantity: Quantity,
+        points: &Points,
+    ) -> Result<MeasuredRun, RunError> {
+        let usual = Sampling::default();
+        let sampling = Sampling {
+            most: self.pick(8, usual.most),
+            patience_ms: self.pick(usual.patience_ms, 5.0 * usual.patience_ms),
+            ..usual
+        };
+        self.measured(room, backend, method, (quantity, points), &sampling)
+    }
+
+    /// The only place that measures.
+    fn measured(
+        &self,
+        room: &LoadedScene,
+        backend: Backend,
+        method: &dyn Configured,
+        (quantity, points): (Quantity, &Points),
+        sampling: &Sampling,
+    ) -> Result<MeasuredRun, RunError> {
+        let timed = measure_on(room, backend, method, quantity, points, sampling)?;
+        let run = Run {
+            points: points.len(),
+            truth_missing: Some("compared by the experiment".into()),
+            own_model_missing: Some("compared by the experiment".into()),
+            ..Run::of(&room.scene().name, method, backend, quantity)
+        };
+        let run = run_record::measured(run, &timed);
+        Ok(MeasuredRun {
+            estimate: timed.measured.estimate,
+            run,
+        })
+    }
+
+    /// Runs the next frame of a sequence.
+    pub(super) fn frame(
+        &self,
+        room: &LoadedScene,
+        (running, backend): (&mut Sequence, Backend),
+        method: &dyn Configured,
+        quantity: Quantity,
+        (points, seen, moves): (&Points, Option<VisibleTriangles<'_>>, Moves),
+    ) -> Result<Shaded, RunError> {
+        let scene = room.scene();
+        let frame = Frame {
+            scene,
+            moves,
+            points,
+            visible: seen,
+        };
+        next_frame(room, backend, running, method, quantity, &frame)
+    }
+
+    /// Whether times of a backend are a software adapter's.
+    pub(super) fn software(&self, backend: Backend) -> bool {
+        backend == Backend::Gpu && self.context.machine().software == Some(true)
+    }
+}

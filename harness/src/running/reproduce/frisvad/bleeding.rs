@@ -1,0 +1,209 @@
+//! Indirect light of few samples beside the truth, and beside a uniform ambient light.
+
+use super::super::experiment_context::ExperimentContext;
+use super::super::experiment_scene::ExperimentScene;
+use super::super::finding::Finding;
+use super::super::judge::{ERROR, Judge, scaled};
+use super::super::pictures::Row;
+use super::super::verdict::{Amount, Trial};
+use crate::domain::record::Backend;
+use crate::running::error::RunError;
+use crate::running::truth::References;
+use crate::running::view::View;
+use glam::{DVec3, Vec3};
+use interreflect_estimators::Quantity;
+use interreflect_estimators::execution::LoadedScene;
+use interreflect_scene::{Estimate, PointLayout, Points};
+use std::f32::consts::FRAC_1_PI;
+
+/// Least correlation of colours that passes for colour bleeding.
+const ALIKE: f64 = 0.5;
+
+/// Share of the truth's light that passes for comparable.
+const ENOUGH: f64 = 0.5;
+
+pub(super) fn cornell_box(context: &ExperimentContext<'_>) -> Result<Finding, RunError> {
+    let mut finding = Finding::default();
+    for lamp in ["area", "spot"] {
+        let room = context.room(
+            &ExperimentScene::of("cornell-box").set("light", lamp),
+            &mut finding,
+        )?;
+        let view = context.view(&room)?;
+        let points = view.points(Quantity::Irradiance.layout());
+        let references = context.precise(&room, Quantity::Irradiance, &points);
+        let case = format!("{lamp} light");
+        for light in compare(context, &room, (&case, &view, references), &mut finding)? {
+            enough(&case, &light, &mut finding);
+            let what = format!("{case}: a half below the correlation of colours");
+            let alike = Amount::exact(ALIKE);
+            finding
+                .trials
+                .push(Trial::less(what, light.backend, alike, light.alike));
+        }
+    }
+    Ok(finding)
+}
+
+pub(super) fn cave(context: &ExperimentContext<'_>) -> Result<Finding, RunError> {
+    let mut finding = Finding::default();
+    let room = context.room(&ExperimentScene::of("cave"), &mut finding)?;
+    let view = context.view(&room)?;
+    let points = view.points(Quantity::Irradiance.layout());
+    let references = context.references(&room, Quantity::Irradiance, &points);
+    for light in compare(context, &room, ("cave", &view, references), &mut finding)? {
+        enough("cave", &light, &mut finding);
+    }
+    Ok(finding)
+}
+
+/// That most of the truth's light arrives.
+fn enough(case: &str, light: &Published, finding: &mut Finding) {
+    let what = format!("{case}: a half below the share of the truth's light");
+    let least = Amount::exact(ENOUGH);
+    finding
+        .trials
+        .push(Trial::less(what, light.backend, least, light.energy));
+}
+
+/// Light of the published map on a backend.
+pub(super) struct Published {
+    backend: Backend,
+    /// Its sum over the truth's.
+    energy: Amount,
+    /// Correlation of its colours with the truth's.
+    alike: Amount,
+}
+
+/// Compares maps of 3×3 samples in a scene that is set up with the truth and a uniform ambient light.
+pub(super) fn compare(
+    context: &ExperimentContext<'_>,
+    room: &LoadedScene,
+    (case, view, mut references): (&str, &View, References<'_>),
+    finding: &mut Finding,
+) -> Result<Vec<Published>, RunError> {
+    let mut published = Vec::new();
+    let quantity = Quantity::Irradiance;
+    let points = view.points(quantity.layout());
+    let materials = view.points(PointLayout::Material);
+    let truth = references.truth();
+    let judge = Judge::new(truth, &points);
+    let ambient = uniform(&truth.values, &points);
+    let lit = |e: &Estimate| view.lit(&reflected(&materials, e));
+    let title = format!("{case}: direct and indirect light");
+    let mut row = Row::against(title, "path tracing", lit(&truth.values), view.surfaces());
+    row.add("direct light alone", view.lit(&Estimate::new(points.len())));
+    row.add("best uniform ambient light", lit(&ambient));
+    let mut alone = Row::plain(format!("{case}: indirect light alone"));
+    alone.add(
+        "path tracing",
+        view.image(&reflected(&materials, &truth.values)),
+    );
+    for backend in context.backends() {
+        for fidelity in ["published", "corrected"] {
+            let map = context.method("direct_radiance_map", &[("fidelity", &fidelity)])?;
+            let measured = context.run_once(room, backend, &*map, quantity, &points)?;
+            let estimate = &measured.estimate;
+            let alike = Amount::exact(correlation(estimate, &truth.values));
+            let energy =
+                Amount::exact(sum(estimate).element_sum() / sum(&truth.values).element_sum());
+            let error = judge.error(estimate);
+            for (name, amount) in [
+                (ERROR, error),
+                ("energy", energy),
+                ("correlation of colours", alike),
+            ] {
+                finding.measure((format!("{case}, {fidelity}"), name), backend, amount, "");
+            }
+            if backend == context.backends()[0] {
+                row.add(fidelity, lit(estimate));
+                alone.add(fidelity, view.image(&reflected(&materials, estimate)));
+            }
+            if fidelity == "published" {
+                let what = format!("{case}: nearer than direct light alone");
+                let none = Estimate::new(points.len());
+                let trial = judge.nearer(what, backend, estimate, &none);
+                finding.trials.push(trial);
+                let what = format!("{case}: nearer than uniform ambient light");
+                let bright = scaled(estimate, judge.factor(estimate));
+                let trial = judge.nearer(what, backend, &bright, &ambient);
+                finding.trials.push(trial);
+                published.push(Published {
+                    backend,
+                    energy,
+                    alike,
+                });
+            }
+            finding.runs.push(measured.run);
+        }
+    }
+    let at = (format!("{case}, uniform ambient light"), ERROR);
+    finding.measure(at, context.backends()[0], judge.error(&ambient), "");
+    finding.pictures.extend([row, alone]);
+    Ok(published)
+}
+
+/// The same colour at every point that has a surface: the mean of all.
+pub(super) fn uniform(of: &Estimate, points: &Points) -> Estimate {
+    let surfaces: Vec<usize> = (0..points.len())
+        .filter(|&i| points.get(i).is_some())
+        .collect();
+    let total: DVec3 = surfaces.iter().map(|&i| of.get(i).as_dvec3()).sum();
+    let mean = (total / surfaces.len().max(1) as f64).as_vec3();
+    let mut all = Estimate::new(of.len());
+    for i in surfaces {
+        all.set(i, mean);
+    }
+    all
+}
+
+/// What diffuse surfaces reflect of an irradiance.
+pub(super) fn reflected(materials: &Points, irradiance: &Estimate) -> Estimate {
+    let mut all = Estimate::new(irradiance.len());
+    for (i, point) in materials.iter().enumerate() {
+        let albedo = point.map_or(Vec3::ZERO, |p| p.material.diffuse);
+        all.set(i, irradiance.get(i) * albedo * FRAC_1_PI);
+    }
+    all
+}
+
+fn sum(estimate: &Estimate) -> DVec3 {
+    estimate.iter().map(|v| v.as_dvec3()).sum()
+}
+
+/// Pearson's correlation of red less green over their sum, weighted by the second one's sum: colours of
+/// what is nearly black are noise.
+fn correlation(a: &Estimate, b: &Estimate) -> f64 {
+    let colour = |v: Vec3| {
+        let v = v.as_dvec3();
+        let sum = v.x + v.y;
+        (sum > 0.0).then(|| ((v.x - v.y) / sum, sum))
+    };
+    let pairs = a.iter().zip(b.iter()).filter_map(|(a, b)| {
+        let (a, (b, weight)) = (colour(a)?.0, colour(b)?);
+        Some((a, b, weight))
+    });
+    let pairs: Vec<(f64, f64, f64)> = pairs.collect();
+    let total: f64 = pairs.iter().map(|p| p.2).sum();
+    let mean =
+        |f: &dyn Fn(f64, f64) -> f64| pairs.iter().map(|p| p.2 * f(p.0, p.1)).sum::<f64>() / total;
+    let (ma, mb) = (mean(&|a, _| a), mean(&|_, b| b));
+    let covariance = mean(&|a, b| (a - ma) * (b - mb));
+    covariance / (mean(&|a, _| (a - ma).powi(2)) * mean(&|_, b| (b - mb).powi(2))).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn colours_correlate_whatever_their_brightness() {
+        let (mut a, mut b) = (Estimate::new(4), Estimate::new(4));
+        for i in 0..4 {
+            let red = i as f32;
+            a.set(i, Vec3::new(red, 3.0, 0.0));
+            b.set(i, Vec3::new(red, 3.0, 1.0) * (1.0 + red));
+        }
+        assert!((correlation(&a, &b) - 1.0).abs() < 1e-9);
+    }
+}

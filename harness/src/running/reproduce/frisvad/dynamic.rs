@@ -1,0 +1,159 @@
+//! A light that moves through a large scene: frame by frame, and each frame anew.
+
+use super::super::experiment_context::ExperimentContext;
+use super::super::experiment_scene::ExperimentScene;
+use super::super::finding::Finding;
+use super::super::verdict::{Amount, Trial};
+use super::super::{measured_run::amount_of, pictures::Row};
+use super::bleeding;
+use crate::domain::record::Backend;
+use crate::running::error::RunError;
+use crate::running::stages::Sequence;
+use crate::running::view::View;
+use glam::Vec3;
+use interreflect_estimators::Quantity;
+use interreflect_scene::motion::Moves;
+use interreflect_scene::{Camera, Light, PointLayout, Scene, SpotShape};
+
+/// Largest difference over the mean that passes for the same estimate.
+const SAME: f64 = 1e-3;
+
+/// What moves from frame to frame.
+const MOVES: Moves = Moves {
+    geometry: false,
+    camera: false,
+    lights: true,
+    environment: false,
+};
+
+pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> {
+    let mut finding = Finding::default();
+    let scene = large(context, &mut finding)?;
+    let count = context.pick(6, 24);
+    for backend in context.backends() {
+        frames(context, &scene, (backend, count), &mut finding)?;
+    }
+    let room = context.set_up(&moved(&scene, 0.5))?;
+    let view = context.view(&room)?;
+    let points = view.points(Quantity::Irradiance.layout());
+    let references = context.references(&room, Quantity::Irradiance, &points);
+    let what = ("middle of the sequence", &view, references);
+    bleeding::compare(context, &room, what, &mut finding)?;
+    Ok(finding)
+}
+
+fn frames(
+    context: &ExperimentContext<'_>,
+    scene: &Scene,
+    (backend, count): (Backend, u32),
+    finding: &mut Finding,
+) -> Result<(), RunError> {
+    let quantity = Quantity::Irradiance;
+    let map = context.method("direct_radiance_map", &[])?;
+    let (mut running, mut worst, mut times) = (Sequence::default(), 0.0_f64, Vec::new());
+    let mut row = Row::plain(format!("frames of the sequence, {backend}"));
+    for index in 0..count {
+        let t = f64::from(index) / f64::from(count - 1);
+        let room = context.set_up(&moved(scene, t as f32))?;
+        let view = context.view(&room)?;
+        let points = view.points(quantity.layout());
+        let seen = (&points, view.visible(), MOVES);
+        let on = context.frame(&room, (&mut running, backend), &*map, quantity, seen)?;
+        let anew = context.frame(
+            &room,
+            (&mut Sequence::default(), backend),
+            &*map,
+            quantity,
+            seen,
+        )?;
+        let pairs = || on.estimate.iter().zip(anew.estimate.iter());
+        let difference = pairs()
+            .map(|(a, b)| (a - b).abs().max_element())
+            .fold(0.0, f32::max);
+        let mean = pairs().map(|(_, b)| b.element_sum()).sum::<f32>() / (3 * points.len()) as f32;
+        worst = worst.max(f64::from(difference / mean));
+        if index > 0 {
+            times.push(on.ms);
+        }
+        if index % count.div_ceil(4) == 0 {
+            row.add(format!("frame {index}"), shown(&view, &on.estimate));
+        }
+    }
+    let triangles = scene
+        .objects
+        .iter()
+        .map(|o| o.mesh.triangles.len())
+        .sum::<usize>();
+    finding.measure(
+        ("sequence", "triangles"),
+        backend,
+        Amount::exact(triangles as f64),
+        "",
+    );
+    finding.measure(
+        ("sequence", "largest difference / mean"),
+        backend,
+        Amount::exact(worst),
+        "",
+    );
+    let unit = ("ms", context.software(backend));
+    finding.time(("sequence", "frame"), backend, amount_of(&times), unit);
+    let what = "sequence: largest difference from a new session, over the mean";
+    finding
+        .trials
+        .push(Trial::less_by(what, backend, (worst, SAME), 0.0));
+    finding.pictures.push(row);
+    Ok(())
+}
+
+fn shown(view: &View, irradiance: &interreflect_scene::Estimate) -> crate::domain::image::HdrImage {
+    let materials = view.points(PointLayout::Material);
+    view.lit(&bleeding::reflected(&materials, irradiance))
+}
+
+/// Sponza with a camera in its nave, or the cave in its place.
+fn large(context: &ExperimentContext<'_>, finding: &mut Finding) -> Result<Scene, RunError> {
+    let Some(path) = context.assets().scene("sponza_34k") else {
+        finding.note("sponza_34k.obj not found: the cave in its place");
+        return context.scene(&ExperimentScene::of("cave"), finding);
+    };
+    let mut scene = context.scene(&ExperimentScene::of(path.to_string_lossy()), finding)?;
+    let bounds = scene.objects.iter().filter_map(|o| o.mesh.bounds());
+    let (low, high) = bounds
+        .reduce(|(a, b), (c, d)| (a.min(c), b.max(d)))
+        .unwrap_or_default();
+    let (middle, extent) = (0.5 * (low + high), high - low);
+    let at = |x: f32, y: f32, z: f32| {
+        Vec3::new(
+            middle.x + x * extent.x,
+            low.y + y * extent.y,
+            middle.z + z * extent.z,
+        )
+    };
+    scene.camera = Camera {
+        eye: at(-0.33, 0.12, 0.0),
+        target: at(0.4, 0.17, 0.0),
+        up: Vec3::Y,
+        vfov_deg: 60.0,
+        resolution: [640, 480],
+    };
+    scene.lights = vec![Light::Spot {
+        position: at(-0.1, 0.25, 0.0),
+        direction: Vec3::X,
+        up: Vec3::Y,
+        shape: SpotShape::Square,
+        angle_deg: 100.0,
+        intensity: Vec3::new(1.0, 0.9, 0.75) * extent.x * extent.x,
+    }];
+    Ok(scene)
+}
+
+/// The scene with its first light turned about +y, from t = 0 to 1, by 150° and carried along.
+fn moved(scene: &Scene, t: f32) -> Scene {
+    let mut scene = scene.clone();
+    let turn = glam::Quat::from_rotation_y((75.0 - 150.0 * t).to_radians());
+    if let Some(Light::Spot { direction, up, .. }) = scene.lights.first_mut() {
+        (*direction, *up) = (turn * *direction, turn * *up);
+    }
+    scene
+}

@@ -1,0 +1,152 @@
+//! What a moving light does from frame to frame.
+
+use super::super::experiment_context::ExperimentContext;
+use super::super::experiment_scene::ExperimentScene;
+use super::super::finding::Finding;
+use super::super::pictures::Row;
+use super::super::verdict::{Amount, Trial};
+use crate::running::error::RunError;
+use crate::running::view::View;
+use glam::{Quat, Vec3};
+use interreflect_estimators::Quantity;
+use interreflect_scene::{Estimate, Light, Points, Scene};
+
+/// How many times smoother a map of all texels is where few samples flash.
+const FLASHES: f64 = 2.0;
+
+/// What averaging has to leave at most.
+const REDUCED: f64 = 0.8;
+
+/// Name, samples along the edge, texels along the edge, fidelity and averaging of what is compared.
+const MAPS: [(&str, u32, u32, &str, bool); 3] = [
+    ("3×3 samples", 3, 16, "published", false),
+    ("3×3 samples, averaged", 3, 16, "published", true),
+    ("all of 64×64 texels", 64, 64, "corrected", false),
+];
+
+pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> {
+    let mut finding = Finding::default();
+    for scene in ["cornell-box", "cave"] {
+        in_scene(context, scene, &mut finding)?;
+    }
+    Ok(finding)
+}
+
+fn in_scene(
+    context: &ExperimentContext<'_>,
+    scene: &str,
+    finding: &mut Finding,
+) -> Result<(), RunError> {
+    let rest = context.scene(&ExperimentScene::of(scene).set("light.angle", 95), finding)?;
+    let room = context.set_up(&rest)?;
+    let view = context.view_of(&room, context.pick(5_000, 20_000))?;
+    let points = view.points(Quantity::Irradiance.layout());
+    let sequences = sequences(context, &rest, &points)?;
+    for (backend, maps) in context.backends().into_iter().zip(&sequences) {
+        let mut flicker = Vec::new();
+        let mut rows = Row::plain(format!("{scene}: two frames, {backend}"));
+        for (map, frames) in MAPS.iter().zip(maps) {
+            let value = second_difference(frames);
+            let case = format!("{scene}, {}", map.0);
+            let amount = Amount::exact(value);
+            finding.measure((case, "second difference / mean"), backend, amount, "");
+            flicker.push(value);
+            pictures(&view, frames, map.0, &mut rows);
+        }
+        let what = format!("{scene}: {FLASHES} times the flicker of all texels below that of 3×3");
+        let trial = Trial::less_by(what, backend, (FLASHES * flicker[2], flicker[0]), 0.0);
+        finding.trials.push(trial);
+        let what = format!("{scene}: flicker with averaging below {REDUCED} of that without");
+        let trial = Trial::less_by(what, backend, (flicker[1], REDUCED * flicker[0]), 0.0);
+        finding.trials.push(trial);
+        finding.pictures.push(rows);
+    }
+    Ok(())
+}
+
+/// For each backend and each map the frames of a swinging light.
+fn sequences(
+    context: &ExperimentContext<'_>,
+    rest: &Scene,
+    points: &Points,
+) -> Result<Vec<[Vec<Estimate>; 3]>, RunError> {
+    let mut all: Vec<[Vec<Estimate>; 3]> = Vec::new();
+    all.resize_with(context.backends().len(), Default::default);
+    for index in 0..context.pick(24_u8, 90) {
+        let room = context.set_up(&swung(rest, f32::from(index) / 30.0))?;
+        for (backend, maps) in context.backends().into_iter().zip(&mut all) {
+            for ((_, samples, texels, fidelity, mip), frames) in MAPS.into_iter().zip(maps) {
+                let map = context.method(
+                    "direct_radiance_map",
+                    &[
+                        ("samples_per_side", &samples),
+                        ("map_resolution", &texels),
+                        ("fidelity", &fidelity),
+                        ("mip", &mip),
+                    ],
+                )?;
+                let measured =
+                    context.run_once(&room, backend, &*map, Quantity::Irradiance, points)?;
+                frames.push(measured.estimate);
+            }
+        }
+    }
+    Ok(all)
+}
+
+/// The scene with its spot light swinging about the axis into it, 30° a second.
+fn swung(rest: &Scene, time_s: f32) -> Scene {
+    let mut scene = rest.clone();
+    let turn = Quat::from_axis_angle(Vec3::Z, (30.0 * time_s - 15.0).to_radians());
+    for light in &mut scene.lights {
+        if let Light::Spot { direction, up, .. } = light {
+            (*direction, *up) = (turn * *direction, turn * *up);
+        }
+    }
+    scene
+}
+
+/// Mean of |E(t−1) − 2E(t) + E(t+1)| over the mean of E: 0 for light that grows or moves steadily.
+fn second_difference(frames: &[Estimate]) -> f64 {
+    let (mut difference, mut sum) = (0.0, 0.0);
+    for three in frames.windows(3) {
+        for ((a, b), c) in three[0].iter().zip(three[1].iter()).zip(three[2].iter()) {
+            difference += f64::from((a - 2.0 * b + c).abs().element_sum());
+            sum += f64::from(b.element_sum());
+        }
+    }
+    difference / sum
+}
+
+/// The two frames between which most changes.
+fn pictures(view: &View, frames: &[Estimate], name: &str, row: &mut Row) {
+    let change = |pair: &[Estimate]| -> f32 {
+        let both = pair[0].iter().zip(pair[1].iter());
+        both.map(|(a, b)| (a - b).abs().element_sum()).sum()
+    };
+    let pairs = frames.windows(2).enumerate();
+    let most = pairs.max_by(|a, b| change(a.1).total_cmp(&change(b.1)));
+    if let Some((index, pair)) = most {
+        row.add(format!("{name}, frame {index}"), view.image(&pair[0]));
+        row.add(format!("{name}, frame {}", index + 1), view.image(&pair[1]));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn steady_change_does_not_flash() {
+        let frame = |v: f32| {
+            let mut e = Estimate::new(1);
+            e.set(0, Vec3::splat(v));
+            e
+        };
+        assert_eq!(
+            second_difference(&[frame(1.0), frame(2.0), frame(3.0)]),
+            0.0
+        );
+        assert!((second_difference(&[frame(1.0), frame(2.0), frame(1.0)]) - 1.0).abs() < 1e-6);
+    }
+}

@@ -1,0 +1,138 @@
+//! The pictures from the lights, texel by texel.
+
+use super::super::experiment_context::ExperimentContext;
+use super::super::experiment_scene::ExperimentScene;
+use super::super::finding::Finding;
+use super::super::pictures::Row;
+use super::super::verdict::{Amount, Trial};
+use crate::domain::image::HdrImage;
+use crate::running::error::RunError;
+use crate::running::stages::light_views;
+use glam::{DVec3, Vec3};
+use interreflect_estimators::Quantity;
+use interreflect_estimators::execution::LoadedScene;
+use interreflect_scene::LightViewImage;
+use interreflect_scene::light_view::view_index;
+use std::f32::consts::FRAC_1_PI;
+
+/// Largest share of photons that lie elsewhere, and largest error of radiance over its mean.
+const FEW: f64 = 0.01;
+
+/// Fraction of a ray's length by which a place may be off.
+const OFF: f64 = 1e-3;
+
+pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> {
+    let mut finding = Finding::default();
+    let map = context.method("direct_radiance_map", &[])?;
+    let facts_of = |room: &LoadedScene| room.scene().facts();
+    for scene in ["cornell-box", "cave"] {
+        let room = context.room(&ExperimentScene::of(scene), &mut finding)?;
+        let needs = map.needs(Quantity::Irradiance, &facts_of(&room))?;
+        for backend in context.backends() {
+            let mut views = light_views(&room, backend, &needs)?;
+            let Some(view) = views.pop() else { continue };
+            let (photons, elsewhere, error) = check(&room, &view);
+            for (name, value) in [
+                ("photons", photons as f64),
+                ("share elsewhere", elsewhere),
+                ("rms error of radiance / mean", error),
+            ] {
+                finding.measure((scene, name), backend, Amount::exact(value), "");
+            }
+            let what = format!("{scene}: share of photons elsewhere");
+            finding
+                .trials
+                .push(Trial::less_by(what, backend, (elsewhere, FEW), 0.0));
+            let what = format!("{scene}: rms error of radiance over mean");
+            finding
+                .trials
+                .push(Trial::less_by(what, backend, (error, FEW), 0.0));
+            finding
+                .pictures
+                .extend(rows(&view, &format!("{scene}, {backend}")));
+        }
+    }
+    Ok(finding)
+}
+
+/// Photons that no mirror brought, the share of them that a ray does not find, and the rms error of
+/// their radiance over its mean.
+fn check(room: &LoadedScene, view: &LightViewImage) -> (usize, f64, f64) {
+    let (scene, size) = (room.scene(), view.size);
+    let geometry = room.cpu().scene.environment_objects();
+    let (mut photons, mut elsewhere) = (0_usize, 0_usize);
+    let (mut square, mut sum) = (DVec3::ZERO, DVec3::ZERO);
+    for (f, frame) in view.frames.iter().enumerate() {
+        for (row, column) in (0..size).flat_map(|r| (0..size).map(move |c| (r, c))) {
+            let i = view_index(size, f, column, row);
+            let across = |v: u32| 2.0 * (f64::from(v) + 0.5) / f64::from(size) - 1.0;
+            let (origin, along) = frame.ray(across(column), across(row));
+            let hit =
+                room.cpu()
+                    .scene
+                    .closest(geometry, origin, along.as_vec3(), geometry.ray_start());
+            let Some(hit) = hit.filter(|h| view.path_m[i] > 0.0 && !h.material.mirror) else {
+                continue;
+            };
+            photons += 1;
+            let way = (hit.position - origin).length();
+            if hit.position.distance(view.position[i].as_dvec3()) > OFF * way {
+                elsewhere += 1;
+                continue;
+            }
+            let light = &scene.lights[frame.light as usize];
+            let radiance = light
+                .incident(hit.position.as_vec3())
+                .map_or(Vec3::ZERO, |incident| {
+                    let cosine = hit.geometric_normal.dot(incident.to_light).abs();
+                    hit.material.albedo * FRAC_1_PI * incident.irradiance * cosine
+                });
+            square += (view.radiance[i] - radiance).as_dvec3().powf(2.0);
+            sum += radiance.as_dvec3();
+        }
+    }
+    let n = photons.max(1) as f64;
+    let rms = (square.element_sum() / (3.0 * n)).sqrt();
+    (
+        photons,
+        elsewhere as f64 / n,
+        rms / (sum.element_sum() / (3.0 * n)),
+    )
+}
+
+/// A row for each channel, as it needs an exposure of its own.
+fn rows(view: &LightViewImage, case: &str) -> Vec<Row> {
+    let (low, extent) = (view.bounds.low, view.bounds.high - view.bounds.low);
+    let hit = |i: usize| view.path_m[i] > 0.0;
+    let coloured = |values: &[Vec3], colour: &dyn Fn(Vec3) -> Vec3| -> Vec<Vec3> {
+        let colour = |(i, v): (usize, &Vec3)| if hit(i) { colour(*v) } else { Vec3::ZERO };
+        values.iter().enumerate().map(colour).collect()
+    };
+    let place = |p: Vec3| (p - low) / extent.max(Vec3::splat(f32::MIN_POSITIVE));
+    let channels = [
+        ("positions", coloured(&view.position, &place)),
+        ("radiance", view.radiance.clone()),
+        ("normals", coloured(&view.normal, &|n| 0.5 + 0.5 * n)),
+    ];
+    let there = channels
+        .into_iter()
+        .filter(|(_, values)| !values.is_empty());
+    let row = |(name, values): (&str, Vec<Vec3>)| {
+        let mut row = Row::plain(format!("{case}: {name}"));
+        for frame in 0..view.frames.len() {
+            let edge = view.size as usize;
+            let pixel = |i: usize| {
+                let (column, row) = ((i % edge) as u32, (i / edge) as u32);
+                values[view_index(view.size, frame, column, row)]
+            };
+            let image = HdrImage {
+                width: edge,
+                height: edge,
+                pixels: (0..edge * edge).map(pixel).collect(),
+            };
+            row.add(format!("view {}", frame + 1), image);
+        }
+        row
+    };
+    there.map(row).collect()
+}

@@ -1,0 +1,72 @@
+//! Glossy walls, taken to be Lambertian and by their whole material.
+
+use super::super::experiment_context::ExperimentContext;
+use super::super::experiment_scene::ExperimentScene;
+use super::super::finding::Finding;
+use super::super::judge::{ERROR, Judge};
+use super::super::pictures::Row;
+use crate::running::error::RunError;
+use glam::Vec3;
+use interreflect_estimators::Quantity;
+
+/// Share of a wall's albedo that becomes specular.
+const GLOSSY: f32 = 0.6;
+
+/// Exponent of the walls' lobe.
+const SHININESS: f32 = 10.0;
+
+pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> {
+    let mut finding = Finding::default();
+    let quantity = Quantity::Irradiance;
+    let mut scene = context.scene(&ExperimentScene::of("cornell-box"), &mut finding)?;
+    for material in &mut scene.materials {
+        material.specular = Vec3::splat(GLOSSY * material.albedo.max_element());
+        material.albedo *= 1.0 - GLOSSY;
+        material.shininess = SHININESS;
+    }
+    let room = context.set_up(&scene)?;
+    let view = context.view(&room)?;
+    let points = view.points(quantity.layout());
+    let mut references = context.references(&room, quantity, &points);
+    let truth = references.truth();
+    let judge = Judge::new(truth, &points);
+    let mut row = Row::against(
+        "irradiance",
+        "path tracing",
+        view.image(&truth.values),
+        view.surfaces(),
+    );
+    for backend in context.backends() {
+        for fidelity in ["published", "corrected"] {
+            let mut estimates = Vec::new();
+            for (surface, caption) in [("lambertian", "Lambert"), ("blinn_phong", "whole material")]
+            {
+                let map = context.method(
+                    "direct_radiance_map",
+                    &[
+                        ("surface", &surface),
+                        ("fidelity", &fidelity),
+                        ("samples_per_side", &5),
+                    ],
+                )?;
+                let measured = context.run_once(&room, backend, &*map, quantity, &points)?;
+                let at = (fidelity, format!("{ERROR}, {caption}"));
+                finding.measure(at, backend, judge.error(&measured.estimate), "");
+                if backend == context.backends()[0] {
+                    row.add(
+                        format!("{fidelity}, {caption}"),
+                        view.image(&measured.estimate),
+                    );
+                }
+                estimates.push(measured.estimate);
+                finding.runs.push(measured.run);
+            }
+            let what = format!("{fidelity}: whole material nearer than Lambert's law");
+            finding
+                .trials
+                .push(judge.nearer(what, backend, &estimates[1], &estimates[0]));
+        }
+    }
+    finding.pictures.push(row);
+    Ok(finding)
+}

@@ -1,0 +1,112 @@
+//! What mirrors show of indirect light: nothing, a trick, or what is there.
+
+use super::super::experiment_context::ExperimentContext;
+use super::super::experiment_scene::ExperimentScene;
+use super::super::finding::Finding;
+use super::super::judge::{Judge, scaled};
+use super::super::pictures::Row;
+use super::super::verdict::Amount;
+use super::bleeding::reflected;
+use crate::domain::image::HdrImage;
+use crate::domain::record::Backend;
+use crate::running::error::RunError;
+use crate::running::view::{Look, Mirrors, ShadedAt, View};
+use interreflect_estimators::Quantity;
+use interreflect_estimators::execution::LoadedScene;
+use interreflect_scene::{Estimate, PointLayout};
+
+/// The figure's pictures.
+const SHOWN: [(&str, Mirrors); 3] = [
+    ("(a) none", Mirrors::Direct),
+    ("(b) trick", Mirrors::Diffuse),
+    ("(c) included", Mirrors::Included),
+];
+
+pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> {
+    let mut finding = Finding::default();
+    let room = context.room(&ExperimentScene::of("cave"), &mut finding)?;
+    let mut views = Vec::new();
+    for (name, mirrors) in SHOWN {
+        views.push((name, look(context, &room, mirrors)?));
+    }
+    let (direct, included) = (&views[0].1, &views[2].1);
+    // Where only light in mirrors makes the difference.
+    let plain = direct.surfaces();
+    let mirrored = included.surfaces().into_iter().enumerate();
+    let at: Vec<usize> = mirrored
+        .filter(|&(i, shows)| shows && !plain[i])
+        .map(|(i, _)| i)
+        .collect();
+    let points = included.points(Quantity::Irradiance.layout());
+    let mut references = context.references(&room, Quantity::Irradiance, &points);
+    let truth = references.truth();
+    let reference = lit(included, &truth.values);
+    let materials = included.points(PointLayout::Material);
+    let error = included.image(&reflected(&materials, &truth.error));
+    let (values, errors) = (reference.to_estimate(), error.to_estimate());
+    let judge = Judge::at(&values, Some(&errors), at);
+    let mut row = Row::against(
+        "a mirror and a mirror ball",
+        "path tracing",
+        reference,
+        included.surfaces(),
+    );
+    let everywhere = Judge::new(truth, &points);
+    for backend in context.backends() {
+        let mut pictures = Vec::new();
+        // Few samples are too dark in mirrors and beside them alike.
+        let plain = shoot(context, &room, (included, backend), &mut finding)?;
+        let factor = everywhere.factor(&plain);
+        for (name, view) in &views {
+            let light = shoot(context, &room, (view, backend), &mut finding)?;
+            let image = lit(view, &scaled(&light, factor));
+            let error = judge.error(&image.to_estimate());
+            finding.measure((*name, "MSE / mean² in mirrors"), backend, error, "");
+            let shaded = Amount::exact(view.points(PointLayout::Surface).len() as f64);
+            finding.measure((*name, "points"), backend, shaded, "");
+            pictures.push(image.to_estimate());
+            if backend == context.backends()[0] {
+                row.add(*name, image);
+            }
+        }
+        for (b, a, what) in [(1, 0, "(b) nearer than (a)"), (2, 1, "(c) nearer than (b)")] {
+            finding
+                .trials
+                .push(judge.nearer(what, backend, &pictures[b], &pictures[a]));
+        }
+    }
+    finding.pictures.push(row);
+    Ok(finding)
+}
+
+fn look(
+    context: &ExperimentContext<'_>,
+    room: &LoadedScene,
+    mirrors: Mirrors,
+) -> Result<View, RunError> {
+    let look = Look {
+        at: ShadedAt::Pixels,
+        mirrors,
+    };
+    context.whole_view(room, context.pick(180, 640), look)
+}
+
+fn shoot(
+    context: &ExperimentContext<'_>,
+    room: &LoadedScene,
+    (view, backend): (&View, Backend),
+    finding: &mut Finding,
+) -> Result<Estimate, RunError> {
+    let map = context.method(
+        "direct_radiance_map",
+        &[("fidelity", &"corrected"), ("samples_per_side", &5)],
+    )?;
+    let points = view.points(Quantity::Irradiance.layout());
+    let measured = context.run_once(room, backend, &*map, Quantity::Irradiance, &points)?;
+    finding.runs.push(measured.run);
+    Ok(measured.estimate)
+}
+
+fn lit(view: &View, irradiance: &Estimate) -> HdrImage {
+    view.lit(&reflected(&view.points(PointLayout::Material), irradiance))
+}

@@ -1,0 +1,126 @@
+//! Frame rates over samples and triangles.
+
+use super::super::experiment_context::ExperimentContext;
+use super::super::experiment_scene::ExperimentScene;
+use super::super::finding::Finding;
+use super::super::verdict::{Amount, Trial};
+use crate::domain::record::Backend;
+use crate::running::error::RunError;
+use interreflect_estimators::Quantity;
+use interreflect_estimators::execution::LoadedScene;
+use interreflect_scene::Role;
+
+/// Samples along the edge of the grid.
+const SAMPLES: [u32; 4] = [2, 3, 4, 5];
+
+/// Milliseconds of a frame that is still interactive.
+const INTERACTIVE_MS: f64 = 1000.0;
+
+/// A scene's name and the number of its triangles, with the times of a frame for each number of samples.
+type Column = (String, usize, Vec<Amount>);
+
+pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> {
+    let mut finding = Finding::default();
+    let mut columns: Vec<(Backend, Vec<Column>)> = context
+        .backends()
+        .into_iter()
+        .map(|b| (b, Vec::new()))
+        .collect();
+    for model in [None, Some("dragon"), Some("dragon_871k")] {
+        let (name, room) = in_the_box(context, model, &mut finding)?;
+        let scene = room.scene();
+        let triangles = scene.objects.iter().map(|o| o.mesh.triangles.len()).sum();
+        for (backend, columns) in &mut columns {
+            let times = times(context, &room, (&name, *backend), &mut finding)?;
+            columns.push((name.clone(), triangles, times));
+        }
+    }
+    for (backend, columns) in columns {
+        judge(backend, &columns, &mut finding);
+    }
+    Ok(finding)
+}
+
+/// The Cornell box with a model that lights see.
+fn in_the_box<'a>(
+    context: &ExperimentContext<'a>,
+    model: Option<&str>,
+    finding: &mut Finding,
+) -> Result<(String, LoadedScene), RunError> {
+    let (name, place) = match model.map(|name| context.mesh(name)) {
+        Some(model) => (
+            model.name.clone(),
+            ExperimentScene::of("cornell-box")
+                .with(&model)
+                .set("receiver.size", 0.25),
+        ),
+        None => ("box alone".into(), ExperimentScene::of("cornell-box")),
+    };
+    let mut scene = context.scene(&place, finding)?;
+    for object in &mut scene.objects {
+        object.role = Role::Environment;
+    }
+    Ok((name, context.set_up(&scene)?))
+}
+
+fn times(
+    context: &ExperimentContext<'_>,
+    room: &LoadedScene,
+    (name, backend): (&str, Backend),
+    finding: &mut Finding,
+) -> Result<Vec<Amount>, RunError> {
+    let view = context.view(room)?;
+    let points = view.points(Quantity::Irradiance.layout());
+    let software = context.software(backend);
+    let mut all = Vec::new();
+    for n in SAMPLES {
+        let map = context.method("direct_radiance_map", &[("samples_per_side", &n)])?;
+        let measured = context.run_timed(room, backend, &*map, Quantity::Irradiance, &points)?;
+        let ms = measured.frame_ms();
+        let rate = Amount::exact(1000.0).over(ms);
+        finding.time(
+            (name, format!("{n}×{n} frame")),
+            backend,
+            ms,
+            ("ms", software),
+        );
+        finding.time(
+            (name, format!("{n}×{n}")),
+            backend,
+            rate,
+            ("frames/s", software),
+        );
+        finding.runs.push(measured.run);
+        all.push(ms);
+    }
+    Ok(all)
+}
+
+fn judge(backend: Backend, columns: &[Column], finding: &mut Finding) {
+    for (name, triangles, times) in columns {
+        let count = Amount::exact(*triangles as f64);
+        finding.measure((name.as_str(), "triangles"), backend, count, "");
+        if let [first, .., last] = times[..] {
+            let what = format!("{name}: a frame of 2×2 samples below one of 5×5, ms");
+            finding.trials.push(Trial::less(what, backend, first, last));
+            let what = format!("{name}: a frame of 5×5 samples below a second, ms");
+            let second = Amount::exact(INTERACTIVE_MS);
+            finding
+                .trials
+                .push(Trial::less(what, backend, last, second));
+        }
+    }
+    let fewest = columns.iter().min_by_key(|c| c.1);
+    let most = columns.iter().max_by_key(|c| c.1);
+    if let (Some(fewest), Some(most)) = (fewest, most) {
+        for (i, n) in SAMPLES.into_iter().enumerate() {
+            let what = format!(
+                "{n}×{n} samples: a frame of {} below one of {}, ms",
+                fewest.0, most.0
+            );
+            finding
+                .trials
+                .push(Trial::less(what, backend, fewest.2[i], most.2[i]));
+        }
+    }
+}

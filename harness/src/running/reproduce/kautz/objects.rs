@@ -1,0 +1,78 @@
+//! Nine harmonics of a small cube map against the exact convolution.
+
+use super::super::experiment_context::ExperimentContext;
+use super::super::finding::Finding;
+use super::super::judge::Judge;
+use super::super::pictures::Row;
+use super::super::verdict::{Amount, Trial};
+use super::environments::environments;
+use crate::running::error::RunError;
+use interreflect_estimators::{OwnModel, Quantity};
+
+/// Largest rms error over the mean that passes for the same.
+const SAME: f64 = 0.05;
+
+pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> {
+    let mut finding = Finding::default();
+    for (name, place) in environments(context, &mut finding) {
+        let room = context.room(&place, &mut finding)?;
+        let view = context.view(&room)?;
+        let points = view.points(Quantity::Irradiance.layout());
+        let materials = view.points(Quantity::GlossyRadiance.layout());
+        let mut references = context.references(&room, Quantity::Irradiance, &points);
+        let exact = references.model(OwnModel::EnvironmentAtInfinity { bounces: 0 });
+        let judge = Judge::new(exact, &points);
+        let title = format!("{name}: irradiance");
+        let mut row = Row::against(
+            title,
+            "exact convolution",
+            view.image(&exact.values),
+            view.surfaces(),
+        );
+        let mut lit = Row::plain(format!("{name}: diffuse and glossy, in one pass"));
+        for backend in context.backends() {
+            let first = backend == context.backends()[0];
+            let harmonics = context.method("sh_mip_envmap", &[])?;
+            let convolved = context.method("classic_envmap", &[])?;
+            let measured =
+                context.run_timed(&room, backend, &*harmonics, Quantity::Irradiance, &points)?;
+            // Points with a glossy part: the pyramid is then made too.
+            let both = context.run_timed(
+                &room,
+                backend,
+                &*harmonics,
+                Quantity::GlossyRadiance,
+                &materials,
+            )?;
+            let slow =
+                context.run_timed(&room, backend, &*convolved, Quantity::Irradiance, &points)?;
+            let rms = judge.relative_rms(&measured.estimate);
+            finding.measure((name, "rms error / mean"), backend, rms, "");
+            for (label, ms) in [
+                ("both maps", both.prepare_ms()),
+                ("convolution", slow.prepare_ms()),
+            ] {
+                let unit = ("ms", context.software(backend));
+                finding.time((name, format!("prepare {label}")), backend, ms, unit);
+            }
+            let what = format!("{name}: irradiance, rms error over mean");
+            finding
+                .trials
+                .push(Trial::less(what, backend, rms, Amount::exact(SAME)));
+            let what = format!("{name}: both maps prepared before one convolution, ms");
+            finding.trials.push(Trial::less(
+                what,
+                backend,
+                both.prepare_ms(),
+                slow.prepare_ms(),
+            ));
+            if first {
+                row.add("nine harmonics", view.image(&measured.estimate));
+                lit.add("harmonics and mip level", view.lit(&both.estimate));
+            }
+            finding.runs.extend([measured.run, both.run, slow.run]);
+        }
+        finding.pictures.extend([row, lit]);
+    }
+    Ok(finding)
+}

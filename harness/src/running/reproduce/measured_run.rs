@@ -1,0 +1,61 @@
+//! An estimate, and times as amounts.
+
+use super::verdict::Amount;
+use crate::domain::record::{Run, Timing};
+use interreflect_scene::Estimate;
+
+/// An estimate with the record of its run.
+pub(super) struct MeasuredRun {
+    pub(super) estimate: Estimate,
+    pub(super) run: Run,
+}
+
+impl MeasuredRun {
+    /// Milliseconds of a frame: captures, preparation and shading.
+    pub(super) fn frame_ms(&self) -> Amount {
+        let phases = self.run.phases_ms;
+        let times = [phases.capture, phases.prepare, phases.shade];
+        let times: Vec<Amount> = times.into_iter().flatten().map(amount).collect();
+        Amount {
+            value: times.iter().map(|t| t.value).sum(),
+            spread: times.iter().map(|t| t.spread).fold(0.0, f64::hypot),
+        }
+    }
+
+    /// Milliseconds of preparation.
+    pub(super) fn prepare_ms(&self) -> Amount {
+        self.run
+            .phases_ms
+            .prepare
+            .map_or(Amount::exact(0.0), amount)
+    }
+
+    /// Milliseconds of shading.
+    pub(super) fn shade_ms(&self) -> Amount {
+        self.run.phases_ms.shade.map_or(Amount::exact(0.0), amount)
+    }
+}
+
+/// Standard deviations of normal times in their median absolute deviation.
+const DEVIATION: f64 = 1.4826;
+
+/// How far a time that was taken once may be off.
+const OF_A_SINGLE_TIME: f64 = 0.3;
+
+/// A time with two standard deviations of single times, not of their median: other load comes and goes
+/// more slowly than one measurement takes. A single time may be off by 30 %.
+pub(super) fn amount(timing: Timing) -> Amount {
+    let spread = match timing.n {
+        0 | 1 => OF_A_SINGLE_TIME * timing.median,
+        _ => 2.0 * DEVIATION * timing.mad,
+    };
+    Amount {
+        value: timing.median,
+        spread,
+    }
+}
+
+/// As [`amount`], of times in milliseconds.
+pub(super) fn amount_of(times_ms: &[f64]) -> Amount {
+    Timing::of(times_ms).map_or(Amount::exact(f64::NAN), amount)
+}

@@ -1,0 +1,133 @@
+//! What keeps a surface from occluding itself, and what filtering leaves as it is.
+
+use super::super::experiment_context::ExperimentContext;
+use super::super::experiment_scene::ExperimentScene;
+use super::super::finding::Finding;
+use super::super::judge::{ERROR, Judge};
+use super::super::pictures::Row;
+use super::super::verdict::{Amount, Trial};
+use super::sequence::{Moment, RESTING};
+use crate::domain::record::Backend;
+use crate::running::error::RunError;
+use crate::running::stages::Sequence;
+use interreflect_estimators::Quantity;
+use interreflect_scene::motion::Moves;
+
+/// Largest change of a pixel over the mean that leaves a picture as it is.
+const SAME: f64 = 1e-3;
+
+pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> {
+    let mut finding = Finding::default();
+    biases(context, &mut finding)?;
+    for backend in context.backends() {
+        filtered(context, backend, &mut finding)?;
+    }
+    Ok(finding)
+}
+
+fn biases(context: &ExperimentContext<'_>, finding: &mut Finding) -> Result<(), RunError> {
+    let quantity = Quantity::AmbientOcclusion;
+    let room = context.room(
+        &ExperimentScene::of("studio").with(&context.mesh("bunny")),
+        finding,
+    )?;
+    let view = context.view(&room)?;
+    let points = view.points(quantity.layout());
+    let mut references = context.references(&room, quantity, &points);
+    let truth = references.truth();
+    let judge = Judge::new(truth, &points);
+    let mut row = Row::against(
+        "openness",
+        "traced rays",
+        view.image(&truth.values),
+        view.surfaces(),
+    );
+    for backend in context.backends() {
+        let mut estimates = Vec::new();
+        for (bias, label) in [
+            ("polygon_offset", "slope-scaled"),
+            ("constant", "constant"),
+            ("none", "none"),
+        ] {
+            let method = context.method(
+                "directional_ao",
+                &[("bias", &bias), ("map_resolution", &context.pick(256, 512))],
+            )?;
+            let measured = context.run_once(&room, backend, &*method, quantity, &points)?;
+            finding.measure(
+                (format!("bias {label}"), ERROR),
+                backend,
+                judge.error(&measured.estimate),
+                "",
+            );
+            if backend == context.backends()[0] {
+                row.add(label, view.image(&measured.estimate));
+            }
+            estimates.push((label, measured.estimate));
+            finding.runs.push(measured.run);
+        }
+        for (rival, estimate) in &estimates[1..] {
+            let what = format!("slope-scaled bias nearer than {rival}");
+            finding
+                .trials
+                .push(judge.nearer(what, backend, &estimates[0].1, estimate));
+        }
+    }
+    finding.pictures.push(row);
+    Ok(())
+}
+
+fn filtered(
+    context: &ExperimentContext<'_>,
+    backend: Backend,
+    finding: &mut Finding,
+) -> Result<(), RunError> {
+    let place = ExperimentScene::of("studio")
+        .with(&context.mesh("bunny"))
+        .set("camera.orbit_deg_per_s", 60);
+    let rest = context.scene(&place, finding)?;
+    let moves = Moves {
+        camera: true,
+        ..RESTING
+    };
+    let method = |filter: bool| {
+        context.method(
+            "directional_ao",
+            &[("filter", &filter), ("map_resolution", &192)],
+        )
+    };
+    let (plain, with_lists) = (method(false)?, method(true)?);
+    let (mut all, mut filtered) = (Sequence::default(), Sequence::default());
+    let mut worst = 0.0_f64;
+    let mut row = Row::plain(format!(
+        "a turning camera's frames with the lists, {backend}"
+    ));
+    for index in 0..4_u8 {
+        let moment = Moment::of(context, &rest, 0.5 * f32::from(index))?;
+        let a = moment.shade(context, (&mut all, backend), &*plain, moves)?;
+        let b = moment.shade(context, (&mut filtered, backend), &*with_lists, moves)?;
+        let (a, b) = (
+            moment.view.image(&a.estimate),
+            moment.view.image(&b.estimate),
+        );
+        let pairs = a.pixels.iter().zip(&b.pixels);
+        let change = pairs
+            .map(|(a, b)| (*a - *b).abs().max_element())
+            .fold(0.0, f32::max);
+        let mean = a.pixels.iter().map(|p| p.x).sum::<f32>() / a.pixels.len() as f32;
+        worst = worst.max(f64::from(change / mean));
+        row.add(format!("frame {index}"), b);
+    }
+    finding.measure(
+        ("the lists", "largest change / mean"),
+        backend,
+        Amount::exact(worst),
+        "",
+    );
+    let what = "largest change of a pixel by filtering, over the mean";
+    finding
+        .trials
+        .push(Trial::less_by(what, backend, (worst, SAME), 0.0));
+    finding.pictures.push(row);
+    Ok(())
+}

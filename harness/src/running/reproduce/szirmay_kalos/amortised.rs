@@ -1,0 +1,213 @@
+//! A kept cube map while the object moves away from where it was made, and one map for two objects.
+
+use super::super::experiment_context::ExperimentContext;
+use super::super::experiment_scene::ExperimentScene;
+use super::super::finding::Finding;
+use super::super::judge::{ERROR, Judge};
+use super::super::pictures::Row;
+use super::super::verdict::{Amount, Trial};
+use crate::domain::record::Backend;
+use crate::running::error::RunError;
+use crate::running::view::View;
+use glam::Vec3;
+use interreflect_estimators::execution::LoadedScene;
+use interreflect_estimators::{Configured, Quantity};
+use interreflect_scene::{Estimate, Points, Role};
+
+/// Metres that the object has moved since the map was made.
+const MOVED_M: [f32; 4] = [0.0, 0.125, 0.25, 0.5];
+
+/// Metres up to which a kept map has to do.
+const NEAR_M: f32 = 0.25;
+
+/// Largest factor on the error that counts as serving as well.
+const WORSE: f64 = 2.0;
+
+/// What an estimate costs, and how good it is.
+type Cost = (Amount, Amount);
+
+pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> {
+    let mut finding = Finding::default();
+    for moved in MOVED_M {
+        moved_by(context, moved, &mut finding)?;
+    }
+    for backend in context.backends() {
+        shared(context, backend, &mut finding)?;
+    }
+    Ok(finding)
+}
+
+fn place(context: &ExperimentContext<'_>, moved: f32, receivers: u32) -> ExperimentScene {
+    ExperimentScene::of("colored-room")
+        .with(&context.mesh("bunny"))
+        .set("receiver.size", 0.5)
+        .set("receiver.moved", moved)
+        .set("receivers", receivers)
+}
+
+/// A map of M = 8 that is kept while the object is no farther than `within_m` from where it was made;
+/// always fresh for 0.
+fn map(context: &ExperimentContext<'_>, within_m: f32) -> Result<Box<dyn Configured>, RunError> {
+    let parameters: [(&str, &dyn ToString); 3] = [
+        ("resolution", &8),
+        ("bounces", &4),
+        ("recapture_distance", &within_m),
+    ];
+    context.method("localized_cubemap", &parameters)
+}
+
+fn moved_by(
+    context: &ExperimentContext<'_>,
+    moved: f32,
+    finding: &mut Finding,
+) -> Result<(), RunError> {
+    let room = context.room(&place(context, moved, 1), finding)?;
+    let view = context.view(&room)?;
+    let points = view.points(Quantity::Irradiance.layout());
+    let mut references = context.references(&room, Quantity::Irradiance, &points);
+    let truth = references.truth();
+    let judge = Judge::new(truth, &points);
+    let case = format!("moved {moved} m");
+    let mut row = Row::against(&*case, "truth", view.image(&truth.values), view.surfaces());
+    for backend in context.backends() {
+        let mut runs = Vec::new();
+        for (label, within_m) in [("fresh", 0.0), ("kept", 1.0)] {
+            let method = map(context, within_m)?;
+            let measured =
+                context.run_timed(&room, backend, &*method, Quantity::Irradiance, &points)?;
+            if backend == context.backends()[0] {
+                row.add(label, view.image(&measured.estimate));
+            }
+            runs.push((measured.frame_ms(), judge.error(&measured.estimate)));
+            finding.runs.push(measured.run);
+        }
+        if let [fresh, kept] = runs[..] {
+            let software = context.software(backend);
+            weigh(
+                (&case, backend, software),
+                ("kept", kept),
+                ("fresh", fresh),
+                moved <= NEAR_M,
+                finding,
+            );
+        }
+    }
+    finding.pictures.push(row);
+    Ok(())
+}
+
+/// One map between two objects, against a map in the middle of each.
+fn shared(
+    context: &ExperimentContext<'_>,
+    backend: Backend,
+    finding: &mut Finding,
+) -> Result<(), RunError> {
+    let scene = context.scene(&place(context, 0.0, 2), finding)?;
+    let middle = |mesh: &interreflect_scene::Mesh| {
+        let (low, high) = mesh.bounds().unwrap_or_default();
+        0.5 * (low + high)
+    };
+    let middles: Vec<Vec3> = scene
+        .objects_of(Role::Receiver)
+        .map(|o| middle(&o.mesh))
+        .collect();
+    let room = context.set_up(&scene)?;
+    let view = context.view(&room)?;
+    let points = view.points(Quantity::Irradiance.layout());
+    let mut references = context.references(&room, Quantity::Irradiance, &points);
+    let truth = references.truth();
+    let judge = Judge::new(truth, &points);
+    let method = map(context, 0.0)?;
+    let mut shoot = |room: &LoadedScene| {
+        let measured = context.run_timed(room, backend, &*method, Quantity::Irradiance, &points)?;
+        finding.runs.push(measured.run.clone());
+        Ok::<_, RunError>(measured)
+    };
+    let one = shoot(&room)?;
+    let mut own = Vec::new();
+    for &at in &middles {
+        let mut there = scene.clone();
+        (there.reference_point, there.captured_at) = (at, None);
+        own.push(shoot(&context.set_up(&there)?)?);
+    }
+    let estimates: Vec<&Estimate> = own.iter().map(|measured| &measured.estimate).collect();
+    let each = of_the_nearest(&points, &middles, &estimates);
+    let capture = |measured: &super::super::measured_run::MeasuredRun| measured.frame_ms();
+    let both_ms = own.iter().map(capture).reduce(|a, b| Amount {
+        value: a.value + b.value,
+        spread: a.spread.hypot(b.spread),
+    });
+    let each_cost = (
+        both_ms.unwrap_or(Amount::exact(f64::NAN)),
+        judge.error(&each),
+    );
+    let one_cost = (one.frame_ms(), judge.error(&one.estimate));
+    let at = ("2 objects", backend, context.software(backend));
+    weigh(
+        at,
+        ("one map", one_cost),
+        ("a map each", each_cost),
+        true,
+        finding,
+    );
+    if backend == context.backends()[0] {
+        finding
+            .pictures
+            .push(pictures(&view, &truth.values, [&one.estimate, &each]));
+    }
+    Ok(())
+}
+
+fn pictures(view: &View, truth: &Estimate, [one, each]: [&Estimate; 2]) -> Row {
+    let mut row = Row::against("2 objects", "truth", view.image(truth), view.surfaces());
+    row.add("one map", view.image(one));
+    row.add("a map each", view.image(each));
+    row
+}
+
+/// At each point the estimate whose place is the nearest.
+fn of_the_nearest(points: &Points, places: &[Vec3], estimates: &[&Estimate]) -> Estimate {
+    let mut merged = Estimate::new(points.len());
+    for (i, point) in points.iter().enumerate() {
+        let Some(point) = point else { continue };
+        let distance = |p: &Vec3| point.position.distance_squared(*p);
+        let ranked = places.iter().zip(estimates);
+        let nearest = ranked.min_by(|a, b| distance(a.0).total_cmp(&distance(b.0)));
+        if let Some((_, estimate)) = nearest {
+            merged.set(i, estimate.get(i));
+        }
+    }
+    merged
+}
+
+/// That the first way takes less time and, if `near`, is not much worse.
+fn weigh(
+    (case, backend, software): (&str, Backend, bool),
+    (cheap, (cheap_ms, cheap_error)): (&str, Cost),
+    (dear, (dear_ms, dear_error)): (&str, Cost),
+    near: bool,
+    finding: &mut Finding,
+) {
+    for (label, ms, error) in [(cheap, cheap_ms, cheap_error), (dear, dear_ms, dear_error)] {
+        finding.time(
+            (case, format!("frame, {label}")),
+            backend,
+            ms,
+            ("ms", software),
+        );
+        finding.measure((case, format!("{ERROR}, {label}")), backend, error, "");
+    }
+    let time = format!("{case}: frame of {cheap} below that of {dear}, ms");
+    finding
+        .trials
+        .push(Trial::less(time, backend, cheap_ms, dear_ms));
+    if near {
+        let error = format!("{case}: error of {cheap} below {WORSE} times that of {dear}");
+        finding.trials.push(Trial::less(
+            error,
+            backend,
+            cheap_error,
+            dear_error.times(WORSE),
+        ));
+    }
+}

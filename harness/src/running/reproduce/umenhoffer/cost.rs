@@ -1,0 +1,92 @@
+//! What polygons cost beside points and classic mapping.
+
+use super::super::experiment_context::ExperimentContext;
+use super::super::experiment_scene::ExperimentScene;
+use super::super::finding::Finding;
+use super::super::pictures::Row;
+use super::super::verdict::{Amount, Trial};
+use crate::running::error::RunError;
+use interreflect_estimators::Quantity;
+
+/// Largest factor between polygons and points: the talk's is 60 to 11.
+const DEARER: f64 = 10.0;
+
+/// Milliseconds of shading that are interactive.
+const INTERACTIVE_MS: f64 = 100.0;
+
+/// The methods, from the cheapest to the dearest.
+const METHODS: [(&str, &str); 3] = [
+    ("classic", "classic_envmap"),
+    ("points", "point_form_factor"),
+    ("polygons", "polygon_form_factor"),
+];
+
+pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> {
+    let mut finding = Finding::default();
+    let place = ExperimentScene::of("colored-room")
+        .with(&context.mesh("dragon"))
+        .set("receiver.size", 0.9);
+    let room = context.room(&place, &mut finding)?;
+    let view = context.view(&room)?;
+    let points = view.points(Quantity::Irradiance.layout());
+    let mut references = context.references(&room, Quantity::Irradiance, &points);
+    let truth = references.truth();
+    let mut row = Row::against(
+        "irradiance, M = 4",
+        "path tracing",
+        view.image(&truth.values),
+        view.surfaces(),
+    );
+    for backend in context.backends() {
+        let software = context.software(backend);
+        let mut shade = Vec::new();
+        for (label, id) in METHODS {
+            let method = context.method(id, &[("bounces", &4)])?;
+            let measured =
+                context.run_timed(&room, backend, &*method, Quantity::Irradiance, &points)?;
+            for (name, ms) in [
+                ("preparing", measured.prepare_ms()),
+                ("shading", measured.shade_ms()),
+                ("frame with a fresh map", measured.frame_ms()),
+            ] {
+                finding.time((label, name), backend, ms, ("ms", software));
+            }
+            shade.push(measured.shade_ms());
+            if backend == context.backends()[0] {
+                row.add(label, view.image(&measured.estimate));
+            }
+            finding.runs.push(measured.run);
+        }
+        let ratio = shade[2].over(shade[1]);
+        finding.time(
+            ("polygons", "times as long as points"),
+            backend,
+            ratio,
+            ("", software),
+        );
+        for (i, j, what) in [
+            (1, 2, "points below polygons, ms"),
+            (0, 1, "classic mapping below points, ms"),
+        ] {
+            finding.trials.push(Trial::less(
+                format!("shading by {what}"),
+                backend,
+                shade[i],
+                shade[j],
+            ));
+        }
+        let what = format!("shading by polygons below {DEARER} times that by points, ms");
+        finding
+            .trials
+            .push(Trial::less(what, backend, shade[2], shade[1].times(DEARER)));
+        let what = "shading by polygons below 100 ms";
+        finding.trials.push(Trial::less(
+            what,
+            backend,
+            shade[2],
+            Amount::exact(INTERACTIVE_MS),
+        ));
+    }
+    finding.pictures.push(row);
+    Ok(finding)
+}

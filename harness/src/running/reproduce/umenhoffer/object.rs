@@ -1,0 +1,78 @@
+//! A model just above the floor: classic mapping, points and polygons beside the reference.
+
+use super::super::experiment_context::ExperimentContext;
+use super::super::experiment_scene::ExperimentScene;
+use super::super::finding::Finding;
+use super::super::judge::{ERROR, Judge};
+use super::super::pictures::Row;
+use super::super::verdict::Amount;
+use crate::running::error::RunError;
+use interreflect_cpu::path_tracer::LightPaths;
+use interreflect_estimators::{OwnModel, Quantity};
+
+/// All light but what the model keeps from itself.
+const UNSHADOWED: OwnModel = OwnModel::LightTransport(LightPaths {
+    self_shadowing: false,
+    ..LightPaths::ALL
+});
+
+pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> {
+    let mut finding = Finding::default();
+    let quantity = Quantity::Irradiance;
+    let place = ExperimentScene::of("colored-room")
+        .with(&context.mesh("bunny"))
+        .set("receiver.place", "floor")
+        .set("receiver.gap", 0.01)
+        .set("receiver.size", 0.9);
+    let room = context.room(&place, &mut finding)?;
+    let view = context.view(&room)?;
+    let points = view.points(quantity.layout());
+    let mut references = context.references(&room, quantity, &points);
+    let truth = references.model(UNSHADOWED);
+    let judge = Judge::new(truth, &points);
+    for m in [4_u32, 8] {
+        let title = format!("irradiance, M = {m}");
+        let mut row = Row::against(
+            title,
+            "reference",
+            view.image(&truth.values),
+            view.surfaces(),
+        );
+        for backend in context.backends() {
+            let mut shoot = |label: &str, id: &str, parameters: &[(&str, &dyn ToString)]| {
+                let method = context.method(id, parameters)?;
+                let measured = context.run_once(&room, backend, &*method, quantity, &points)?;
+                let at = |name: &str| (format!("M = {m}, {label}"), name.to_owned());
+                finding.measure(at(ERROR), backend, judge.error(&measured.estimate), "");
+                let spike = Amount::exact(judge.spike(&measured.estimate));
+                finding.measure(at("spike / mean"), backend, spike, "");
+                if backend == context.backends()[0] {
+                    row.add(label, view.image(&measured.estimate));
+                }
+                finding.runs.push(measured.run);
+                Ok::<_, RunError>(measured.estimate)
+            };
+            let four: (&str, &dyn ToString) = ("bounces", &4);
+            let edge: (&str, &dyn ToString) = ("resolution", &m);
+            let corrected: (&str, &dyn ToString) = ("fidelity", &"corrected");
+            let classic = shoot("classic", "classic_envmap", &[four])?;
+            let point = shoot("points", "point_form_factor", &[four, edge])?;
+            let polygon = shoot("polygons", "polygon_form_factor", &[four, edge])?;
+            let mended = shoot(
+                "corrected polygons",
+                "polygon_form_factor",
+                &[four, edge, corrected],
+            )?;
+            for (fidelity, polygon) in [("published", &polygon), ("corrected", &mended)] {
+                for (rival, estimate) in [("points", &point), ("classic mapping", &classic)] {
+                    let what = format!("M = {m}: {fidelity} polygons nearer than {rival}");
+                    finding
+                        .trials
+                        .push(judge.nearer(what, backend, polygon, estimate));
+                }
+            }
+        }
+        finding.pictures.push(row);
+    }
+    Ok(finding)
+}

@@ -1,0 +1,291 @@
+//! From measured numbers to a verdict, without a word of any experiment.
+//!
+//! A trial says that one amount is smaller than another. Amounts that differ by less than what they may
+//! be off decide nothing. A claim holds if all its trials do, does not if none does, and holds in part
+//! otherwise, also where some trials are undecided beside others that hold.
+
+use crate::domain::format;
+use crate::domain::record::Backend;
+use serde::Serialize;
+
+/// A number, and how far it may be off.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Amount {
+    /// The number.
+    pub value: f64,
+    /// Half the width of the interval around it that counts as the same; not negative.
+    pub spread: f64,
+}
+
+impl Amount {
+    /// A number that a formula or a repeated run gives alike every time.
+    pub const fn exact(value: f64) -> Self {
+        Self { value, spread: 0.0 }
+    }
+
+    /// The number times an exact factor.
+    pub fn times(self, factor: f64) -> Self {
+        Self {
+            value: self.value * factor,
+            spread: self.spread * factor.abs(),
+        }
+    }
+
+    /// The quotient of two independent numbers, the spreads to first order; the divisor is not 0.
+    pub fn over(self, other: Self) -> Self {
+        let value = self.value / other.value;
+        let relative = (self.spread / self.value).hypot(other.spread / other.value);
+        Self {
+            value,
+            spread: if self.value == 0.0 {
+                self.spread / other.value.abs()
+            } else {
+                value.abs() * relative
+            },
+        }
+    }
+}
+
+/// What a trial comes to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Outcome {
+    /// As claimed.
+    Holds,
+    /// Not as claimed.
+    Fails,
+    /// The difference is within what the numbers may be off.
+    Undecided,
+}
+
+/// One comparison that a claim makes.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Trial {
+    /// What is compared, in which case.
+    pub what: String,
+    /// Where it ran.
+    pub backend: Backend,
+    /// What it comes to.
+    pub outcome: Outcome,
+    /// The numbers, in words.
+    pub evidence: String,
+    /// Logarithm of the amount that is claimed to be larger over the other one.
+    #[serde(skip)]
+    margin: f64,
+}
+
+impl Trial {
+    /// That `a` is smaller than `b`, each with its own uncertainty.
+    pub fn less(what: impl Into<String>, backend: Backend, a: Amount, b: Amount) -> Self {
+        Self::less_by(what, backend, (a.value, b.value), a.spread.hypot(b.spread))
+    }
+
+    /// That the first number is smaller than the second, where their difference may be off by
+    /// `noise`. Numbers that are equal up to that, or no numbers at all, decide nothing.
+    pub fn less_by(
+        what: impl Into<String>,
+        backend: Backend,
+        (a, b): (f64, f64),
+        noise: f64,
+    ) -> Self {
+        let outcome = match b - a {
+            d if d > noise => Outcome::Holds,
+            d if d < -noise => Outcome::Fails,
+            _ => Outcome::Undecided,
+        };
+        let sign = match outcome {
+            Outcome::Holds => "<",
+            Outcome::Fails => ">",
+            Outcome::Undecided => "≈",
+        };
+        Self {
+            what: what.into(),
+            backend,
+            outcome,
+            evidence: format!("{} {sign} {}", format::number(a), format::number(b)),
+            margin: (b.max(f64::MIN_POSITIVE) / a.max(f64::MIN_POSITIVE)).ln(),
+        }
+    }
+}
+
+/// What becomes of a claim.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// Every trial holds.
+    Holds,
+    /// Some trials hold, others don't or are undecided.
+    HoldsInPart,
+    /// No trial holds.
+    DoesNotHold,
+    /// Nothing was decided, or nothing ran: why.
+    NotRun(String),
+}
+
+impl Verdict {
+    /// In words.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Holds => "holds",
+            Self::HoldsInPart => "holds in part",
+            Self::DoesNotHold => "does not hold",
+            Self::NotRun(_) => "not run",
+        }
+    }
+
+    /// Why there is none.
+    pub fn reason(&self) -> Option<&str> {
+        match self {
+            Self::NotRun(reason) => Some(reason),
+            _ => None,
+        }
+    }
+}
+
+/// The verdict on a claim, and one sentence why.
+pub fn conclude(trials: &[Trial]) -> (Verdict, String) {
+    let of = |outcome| trials.iter().filter(move |t| t.outcome == outcome);
+    let (held, failed) = (of(Outcome::Holds).count(), of(Outcome::Fails).count());
+    let verdict = match (held, failed) {
+        (0, 0) => {
+            let reason = "inconclusive: no difference is larger than its uncertainty";
+            return (Verdict::NotRun(reason.into()), sentence(trials));
+        }
+        (0, _) => Verdict::DoesNotHold,
+        (held, 0) if held == trials.len() => Verdict::Holds,
+        _ => Verdict::HoldsInPart,
+    };
+    (verdict, sentence(trials))
+}
+
+fn sentence(trials: &[Trial]) -> String {
+    let of = |outcome| trials.iter().filter(move |t| t.outcome == outcome);
+    let held = of(Outcome::Holds).count();
+    let undecided = of(Outcome::Undecided).count();
+    let mut text = format!("{held} of {} trials hold", trials.len());
+    if undecided > 0 {
+        text += &format!(", {undecided} are within the noise");
+    }
+    if let Some(apart) = backends_apart(trials) {
+        text += &format!(" ({apart})");
+    }
+    let worst = of(Outcome::Fails).min_by(|a, b| a.margin.total_cmp(&b.margin));
+    let told = match worst {
+        Some(worst) => Some(("not", worst)),
+        None => of(Outcome::Holds)
+            .min_by(|a, b| a.margin.total_cmp(&b.margin))
+            .map(|closest| ("closest", closest)),
+    };
+    if let Some((how, trial)) = told {
+        let Trial { what, evidence, .. } = trial;
+        text += &format!("; {how}: {what} on {}, {evidence}", trial.backend);
+    }
+    text
+}
+
+/// How many trials hold on each backend, where the same trial comes out differently on them.
+fn backends_apart(trials: &[Trial]) -> Option<String> {
+    let differs = |t: &Trial| {
+        let twin = trials
+            .iter()
+            .find(|o| o.what == t.what && o.backend != t.backend);
+        twin.is_some_and(|twin| twin.outcome != t.outcome)
+    };
+    trials.iter().any(differs).then(|| {
+        let count = |backend| {
+            let of = || trials.iter().filter(move |t| t.backend == backend);
+            let held = of().filter(|t| t.outcome == Outcome::Holds).count();
+            format!("{held} of {} on {backend}", of().count())
+        };
+        format!("{}, {}", count(Backend::Cpu), count(Backend::Gpu))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use Backend::{Cpu, Gpu};
+
+    fn trial(backend: Backend, a: f64, b: f64, noise: f64) -> Trial {
+        Trial::less_by("this below that", backend, (a, b), noise)
+    }
+
+    #[test]
+    fn differences_within_the_noise_decide_nothing() {
+        for (a, b, noise, outcome) in [
+            (1.0, 2.0, 0.5, Outcome::Holds),
+            (2.0, 1.0, 0.5, Outcome::Fails),
+            (1.0, 1.4, 0.5, Outcome::Undecided),
+            (1.4, 1.0, 0.5, Outcome::Undecided),
+            (1.0, 1.0, 0.0, Outcome::Undecided),
+            (f64::NAN, 1.0, 0.0, Outcome::Undecided),
+            (1.0, 2.0, f64::NAN, Outcome::Undecided),
+        ] {
+            assert_eq!(trial(Cpu, a, b, noise).outcome, outcome, "{a} {b} {noise}");
+        }
+        let (a, b) = (
+            Amount {
+                value: 1.0,
+                spread: 0.3,
+            },
+            Amount {
+                value: 1.45,
+                spread: 0.4,
+            },
+        );
+        assert_eq!(Trial::less("", Cpu, a, b).outcome, Outcome::Undecided);
+        let b = Amount { value: 1.6, ..b };
+        assert_eq!(Trial::less("", Cpu, a, b).outcome, Outcome::Holds);
+    }
+
+    #[test]
+    fn verdicts_follow_from_trials() {
+        let (yes, no) = (trial(Cpu, 1.0, 2.0, 0.1), trial(Gpu, 3.0, 2.0, 0.1));
+        let open = trial(Cpu, 1.0, 1.0, 0.1);
+        for (trials, verdict) in [
+            (vec![yes.clone()], Verdict::Holds),
+            (vec![no.clone()], Verdict::DoesNotHold),
+            (vec![yes.clone(), no.clone()], Verdict::HoldsInPart),
+            (vec![yes.clone(), open.clone()], Verdict::HoldsInPart),
+            (vec![no.clone(), open.clone()], Verdict::DoesNotHold),
+        ] {
+            assert_eq!(conclude(&trials).0, verdict, "{trials:?}");
+        }
+        for nothing in [vec![], vec![open]] {
+            assert!(matches!(conclude(&nothing).0, Verdict::NotRun(_)));
+        }
+    }
+
+    #[test]
+    fn the_sentence_tells_the_worst_trial_and_where_backends_differ() {
+        let trials = [
+            trial(Cpu, 1.0, 2.0, 0.1),
+            trial(Gpu, 3.0, 2.0, 0.1),
+            Trial::less_by("other", Cpu, (9.0, 1.0), 0.0),
+            Trial::less_by("other", Gpu, (9.0, 1.0), 0.0),
+        ];
+        assert_eq!(
+            conclude(&trials).1,
+            "1 of 4 trials hold (1 of 2 on cpu, 0 of 2 on gpu); not: other on cpu, 9.00 > 1.00"
+        );
+        let alike = [trial(Cpu, 1.0, 2.0, 0.1), trial(Gpu, 1.0, 1.5, 0.1)];
+        assert_eq!(
+            conclude(&alike).1,
+            "2 of 2 trials hold; closest: this below that on gpu, 1.00 < 1.50"
+        );
+    }
+
+    #[test]
+    fn quotients_carry_their_spreads() {
+        let a = Amount {
+            value: 6.0,
+            spread: 0.6,
+        };
+        let b = Amount {
+            value: 2.0,
+            spread: 0.0,
+        };
+        let q = a.over(b);
+        assert!((q.value - 3.0).abs() < 1e-12 && (q.spread - 0.3).abs() < 1e-12);
+        assert_eq!(Amount::exact(3.0).times(2.0), Amount::exact(6.0));
+    }
+}

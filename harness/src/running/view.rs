@@ -1,0 +1,273 @@
+//! What the camera sees, as a list of points: what is measured is what is shown.
+
+mod look;
+mod traced;
+mod vertices;
+
+use crate::domain::image::HdrImage;
+use crate::running::error::RunError;
+use glam::Vec3;
+use interreflect_cpu::scene::CpuScene;
+use interreflect_estimators::VisibleTriangles;
+use interreflect_scene::{Camera, Estimate, Point, PointLayout, Points, Role};
+pub use look::{Look, Mirrors, ShadedAt};
+use traced::{footprint, traced};
+use vertices::Vertices;
+
+/// An image as a list of points: what indirect light is estimated for, and the pixels that show it.
+pub struct View {
+    /// Width and height in pixels.
+    pub resolution: [u32; 2],
+    points: Vec<Option<Point>>,
+    pixels: Vec<Pixel>,
+    /// The triangles whose corners the points are, and those that some pixel shows; none where the
+    /// points are the pixels'.
+    vertices: Option<(Vec<[u32; 3]>, Vec<u32>)>,
+}
+
+/// What a pixel shows.
+#[derive(Clone, Copy)]
+struct Pixel {
+    /// The points that it shows, none if it sees no shaded surface.
+    taps: Option<Taps>,
+    /// Product of the mirrors' reflectances between camera and point.
+    throughput: Vec3,
+    /// Radiance that needs no estimate: emission, reflected direct light, environment at infinity.
+    direct: Vec3,
+}
+
+/// Points with their weights.
+#[derive(Clone, Copy)]
+struct Taps {
+    points: [u32; 3],
+    weights: [f32; 3],
+}
+
+impl Taps {
+    fn one(point: usize) -> Self {
+        Self {
+            points: [point as u32, 0, 0],
+            weights: [1.0, 0.0, 0.0],
+        }
+    }
+
+    fn of(self, estimate: &Estimate) -> Vec3 {
+        let taps = self.points.into_iter().zip(self.weights);
+        taps.filter(|tap| tap.1 != 0.0)
+            .map(|(point, weight)| estimate.get(point as usize) * weight)
+            .sum()
+    }
+}
+
+/// Width in pixels of the image that finds out how much of it is shaded.
+const TRIAL: f64 = 96.0;
+
+/// Most pixels of an image: about 2 GB while it is traced.
+pub const MAX_PIXELS: u64 = 1 << 24;
+
+impl View {
+    /// What `camera` sees. Receivers are shaded if the scene has any, else every surface.
+    ///
+    /// # Errors
+    /// [`RunError::Usage`] if the image has more than [`MAX_PIXELS`] pixels.
+    pub fn new(scene: &CpuScene, camera: &Camera) -> Result<Self, RunError> {
+        let [width, height] = camera.resolution;
+        Self::cropped(scene, camera, [0, 0, width, height], Mirrors::Included)
+    }
+
+    /// What `camera` sees, made as asked.
+    ///
+    /// # Errors
+    /// As [`View::new`].
+    pub fn with(scene: &CpuScene, camera: &Camera, look: Look) -> Result<Self, RunError> {
+        let [width, height] = camera.resolution;
+        let mirrors = look.mirrors;
+        match look.at {
+            ShadedAt::Pixels => Self::cropped(scene, camera, [0, 0, width, height], mirrors),
+            ShadedAt::Vertices => Self::at_vertices(scene, camera, mirrors),
+        }
+    }
+
+    /// A view of about `count` shaded points: the camera's image cropped to what is shaded.
+    ///
+    /// # Errors
+    /// [`RunError::Usage`] if the camera sees nothing that is shaded, or if the window has more
+    /// than [`MAX_PIXELS`] pixels.
+    pub fn of_about(scene: &CpuScene, camera: &Camera, count: usize) -> Result<Self, RunError> {
+        let scaled = |width: f64| {
+            let [w, h] = camera.resolution.map(f64::from);
+            let size = |v: f64| (v.round() as u32).max(1);
+            Camera {
+                resolution: [size(width), size(width * h / w)],
+                ..*camera
+            }
+        };
+        let trial = Self::new(scene, &scaled(TRIAL))?;
+        if trial.points.is_empty() {
+            return Err(RunError::Usage(format!(
+                "{}: the camera sees no surface to shade; move it in the scene file",
+                scene.scene().name
+            )));
+        }
+        let factor = (count as f64 / trial.points.len() as f64).sqrt();
+        let camera = scaled(TRIAL * factor);
+        // A trial pixel on each side: what is shaded may reach a little beyond.
+        let [x0, y0, x1, y1] = trial.shaded_window();
+        let low = |v: u32| (f64::from(v.saturating_sub(1)) * factor).floor() as u32;
+        let high = |v: u32, end: u32| ((f64::from(v + 1) * factor).ceil() as u32).min(end);
+        let [width, height] = camera.resolution;
+        let (x0, y0) = (low(x0).min(width - 1), low(y0).min(height - 1));
+        let window = [
+            x0,
+            y0,
+            high(x1, width).max(x0 + 1),
+            high(y1, height).max(y0 + 1),
+        ];
+        Self::cropped(scene, &camera, window, Mirrors::Included)
+    }
+
+    /// The window [left, top, right, bottom) of the camera's image, in pixels.
+    fn cropped(
+        scene: &CpuScene,
+        camera: &Camera,
+        window: [u32; 4],
+        mirrors: Mirrors,
+    ) -> Result<Self, RunError> {
+        let [x0, y0, x1, y1] = window;
+        let (width, height) = (x1 - x0, y1 - y0);
+        check_size(width, height)?;
+        let traced = traced(scene, camera, window, mirrors);
+        let traced_points: Vec<_> = traced.iter().map(|traced| traced.point).collect();
+        let mut points = Vec::new();
+        let pixels = traced.iter().enumerate().map(|(i, traced)| {
+            let taps = traced.point.map(|point| {
+                points.push(Some(Point {
+                    footprint: footprint(&traced_points, width as usize, i),
+                    ..point
+                }));
+                Taps::one(points.len() - 1)
+            });
+            traced.pixel(taps)
+        });
+        Ok(Self {
+            resolution: [width, height],
+            pixels: pixels.collect(),
+            points,
+            vertices: None,
+        })
+    }
+
+    /// What `camera` sees, shaded at the vertices of all objects that are shaded and interpolated
+    /// over their triangles.
+    ///
+    /// # Errors
+    /// As [`View::new`].
+    fn at_vertices(scene: &CpuScene, camera: &Camera, mirrors: Mirrors) -> Result<Self, RunError> {
+        let [width, height] = camera.resolution;
+        check_size(width, height)?;
+        let only_receivers = scene.scene().objects_of(Role::Receiver).next().is_some();
+        let vertices = Vertices::new(scene.scene(), camera.eye, only_receivers);
+        let traced = traced(scene, camera, [0, 0, width, height], mirrors);
+        let mut visible = Vec::new();
+        let pixels = traced.iter().map(|traced| {
+            let hit = traced.hit.filter(|_| traced.point.is_some());
+            let taps = hit.map(|hit| {
+                let (object, triangle) = scene.all_objects().locate(hit.triangle);
+                let triangle = vertices.first_triangle[object] + triangle as u32;
+                visible.push(triangle);
+                let [v, w] = hit.barycentric;
+                Taps {
+                    points: vertices.triangles[triangle as usize],
+                    weights: [1.0 - v - w, v, w],
+                }
+            });
+            traced.pixel(taps)
+        });
+        let pixels = pixels.collect();
+        visible.sort_unstable();
+        visible.dedup();
+        Ok(Self {
+            resolution: camera.resolution,
+            pixels,
+            points: vertices.points,
+            vertices: Some((vertices.triangles, visible)),
+        })
+    }
+
+    /// Triangles between the points and those that are seen, where the points are vertices.
+    pub fn visible(&self) -> Option<VisibleTriangles<'_>> {
+        let (triangles, visible) = self.vertices.as_ref()?;
+        Some(VisibleTriangles { triangles, visible })
+    }
+
+    /// The smallest window [left, top, right, bottom) around all shaded pixels; the whole image if
+    /// there are none.
+    fn shaded_window(&self) -> [u32; 4] {
+        let [width, height] = self.resolution;
+        let shaded = self
+            .pixels
+            .iter()
+            .enumerate()
+            .filter(|(_, p)| p.taps.is_some());
+        let at = shaded.map(|(i, _)| (i as u32 % width, i as u32 / width));
+        at.map(|(x, y)| [x, y, x + 1, y + 1])
+            .reduce(|a, b| {
+                [
+                    a[0].min(b[0]),
+                    a[1].min(b[1]),
+                    a[2].max(b[2]),
+                    a[3].max(b[3]),
+                ]
+            })
+            .unwrap_or([0, 0, width, height])
+    }
+
+    /// The points in a layout.
+    pub fn points(&self, layout: PointLayout) -> Points {
+        Points::new(layout, self.points.iter().copied())
+    }
+
+    /// An estimate as an image, through the mirrors in between; black where no surface is shaded.
+    pub fn image(&self, estimate: &Estimate) -> HdrImage {
+        self.pixels(|pixel| {
+            let value = pixel.taps.map_or(Vec3::ZERO, |taps| taps.of(estimate));
+            value * pixel.throughput
+        })
+    }
+
+    /// All light that reaches the camera, from an estimate of what each point reflects.
+    pub fn lit(&self, reflected: &Estimate) -> HdrImage {
+        let mut image = self.image(reflected);
+        for (value, pixel) in image.pixels.iter_mut().zip(&self.pixels) {
+            *value += pixel.direct;
+        }
+        image
+    }
+
+    /// Whether each pixel sees a shaded surface.
+    pub fn surfaces(&self) -> Vec<bool> {
+        self.pixels.iter().map(|p| p.taps.is_some()).collect()
+    }
+
+    fn pixels(&self, value: impl Fn(&Pixel) -> Vec3) -> HdrImage {
+        let [width, height] = self.resolution.map(|v| v as usize);
+        HdrImage {
+            width,
+            height,
+            pixels: self.pixels.iter().map(value).collect(),
+        }
+    }
+}
+
+fn check_size(width: u32, height: u32) -> Result<(), RunError> {
+    match u64::from(width) * u64::from(height) > MAX_PIXELS {
+        true => Err(RunError::Usage(format!(
+            "an image of {width} × {height} pixels is too large: use {MAX_PIXELS} at most, or \
+             fewer points"
+        ))),
+        false => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests;
