@@ -91,7 +91,7 @@ pub fn cube_texels(size: u32) -> impl Iterator<Item = (usize, u32, u32)> {
 mod tests {
     use super::gpu::Average;
     use super::*;
-    use crate::layout::assert_layout;
+    use interreflect_gpu::layout::assert_layout;
 
     #[test]
     fn structs_have_the_same_layout() {

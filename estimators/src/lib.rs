@@ -8,14 +8,13 @@ mod backend;
 mod claims;
 mod error;
 mod frame;
-#[cfg(test)]
-mod layout;
 pub mod leaves;
 pub mod lobes;
 mod method;
 mod model;
+pub mod prelude;
 mod quantity;
-mod ranges;
+pub mod ranges;
 mod records;
 mod registry;
 mod tolerance;
@@ -51,3 +50,5 @@ pub use quantity::Quantity;
 pub use records::Records;
 pub use registry::{Configured, CpuOnly, Entry, Registry, Session, UnknownEstimator};
 pub use tolerance::Tolerance;
+
+pub use {bytemuck, glam, wgpu};

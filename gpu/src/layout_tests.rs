@@ -4,6 +4,7 @@
 use crate::capture::cube::Capture;
 use crate::capture::{directional_depth, light_view};
 use crate::coarse::Grid;
+use crate::layout::{constant_u32 as constant, layout, module};
 use crate::light_view::GpuTrueColors;
 use crate::lights::{GpuLight, LightList, MAX_LIGHTS, kind};
 use crate::points::PointsInfo;
@@ -22,37 +23,6 @@ const POINTS: Shader = Shader {
         "@compute @workgroup_size(64) fn f() { write_estimate(0, vec3f(0)); }",
     ],
 };
-
-fn module(shader: &Shader) -> naga::Module {
-    naga::front::wgsl::parse_str(&shader.source()).unwrap()
-}
-
-/// Value of a `const` of type u32.
-fn constant(module: &naga::Module, name: &str) -> u32 {
-    let found = module
-        .constants
-        .iter()
-        .find(|(_, c)| c.name.as_deref() == Some(name));
-    let (_, constant) = found.unwrap_or_else(|| panic!("no constant `{name}`"));
-    match module.global_expressions[constant.init] {
-        naga::Expression::Literal(naga::Literal::U32(value)) => value,
-        ref other => panic!("`{name}` is {other:?}"),
-    }
-}
-
-/// Size of a struct, and name and offset of its members.
-fn layout(module: &naga::Module, name: &str) -> (usize, Vec<(String, usize)>) {
-    let found = module
-        .types
-        .iter()
-        .find(|(_, t)| t.name.as_deref() == Some(name));
-    let (_, ty) = found.unwrap_or_else(|| panic!("no struct `{name}`"));
-    let naga::TypeInner::Struct { members, span } = &ty.inner else {
-        panic!("`{name}` is no struct");
-    };
-    let member = |m: &naga::StructMember| (m.name.clone().unwrap(), m.offset as usize);
-    (*span as usize, members.iter().map(member).collect())
-}
 
 /// Checks a Rust struct against the WGSL struct of a name; members called `pad…` are Rust's alone.
 macro_rules! assert_layout {

@@ -12,6 +12,7 @@ mod cube;
 mod cx;
 mod error;
 mod kernel;
+pub mod layout;
 #[cfg(test)]
 mod layout_tests;
 mod light_view;

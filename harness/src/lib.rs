@@ -15,6 +15,12 @@ pub mod running;
 
 pub use command_line::restart::restart_without_driver_chatter;
 pub use command_line::{run, run_with};
+/// What a method of another crate is written with.
+pub use interreflect_estimators::{
+    Entry, Registry, averaging, bytemuck, convolution, glam, leaves, lobes, prelude, reflection,
+    texels, wgpu,
+};
+
 pub use domain::{analysis, image, machine, metrics, record};
 pub use presenting::{output, report};
 pub use running::memory::CountingAllocator;

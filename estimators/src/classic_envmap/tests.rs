@@ -1,5 +1,5 @@
 use super::{SHADE, Shade};
-use crate::layout::assert_layout;
+use interreflect_gpu::layout::assert_layout;
 
 #[test]
 fn structs_have_the_same_layout() {

@@ -167,7 +167,7 @@ fn convolve(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::layout::assert_layout;
+    use interreflect_gpu::layout::assert_layout;
 
     #[test]
     fn structs_have_the_same_layout() {

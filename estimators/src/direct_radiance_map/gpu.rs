@@ -243,7 +243,8 @@ fn photon_buffer(context: &GpuContext, count: usize) -> Result<wgpu::Buffer, Est
 mod tests {
     use super::super::samples::{Highlight, Photon, Sample};
     use super::*;
-    use crate::layout::{array_length, assert_layout, module};
+    use interreflect_gpu::layout::assert_layout;
+    use interreflect_gpu::layout::{array_length, module};
 
     #[test]
     fn structs_have_the_same_layout() {

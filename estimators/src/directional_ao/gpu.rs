@@ -242,19 +242,20 @@ impl DirectionalAo {
 mod tests {
     use super::super::math::DEPTH_ROUNDING;
     use super::{Batch, Direction, Light, MAX_DIRECTIONS, SHADE, VISIBILITY};
-    use crate::layout::{assert_layout, constant, constant_u32, module};
+    use interreflect_gpu::layout::assert_layout;
+    use interreflect_gpu::layout::{constant, constant_u32, module};
 
     #[test]
     fn structs_and_constants_are_the_same() {
         assert_layout!(VISIBILITY, Batch, [first, count, word, todo, margin]);
-        let direction = crate::layout::layout(&module(&SHADE), "Direction");
+        let direction = interreflect_gpu::layout::layout(&module(&SHADE), "Direction");
         let offsets = [
             ("towards", 0),
             ("value", std::mem::offset_of!(Direction, value)),
         ];
         let offsets = offsets.map(|(name, offset)| (name.to_owned(), offset));
         assert_eq!(direction, (size_of::<Direction>(), offsets.to_vec()));
-        let light = crate::layout::layout(&module(&SHADE), "Light");
+        let light = interreflect_gpu::layout::layout(&module(&SHADE), "Light");
         let at = light.1.iter().find(|m| m.0 == "directions").map(|m| m.1);
         assert_eq!(light.0, size_of::<Light>());
         assert_eq!(at, Some(std::mem::offset_of!(Light, directions)));

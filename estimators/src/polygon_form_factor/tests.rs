@@ -1,6 +1,6 @@
 use super::super::corners::NONE;
 use super::{Build, CORNERS, SHADE, Shade};
-use crate::layout::{assert_layout, constant_u32, module};
+use interreflect_gpu::layout::{assert_layout, constant_u32, module};
 
 #[test]
 fn structs_have_the_same_layout() {

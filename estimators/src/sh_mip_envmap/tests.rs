@@ -1,6 +1,6 @@
 use super::pyramid::{PYRAMID, Reduce};
 use super::{SHADE, Shade};
-use crate::layout::assert_layout;
+use interreflect_gpu::layout::assert_layout;
 
 #[test]
 fn structs_have_the_same_layout() {

@@ -1,8 +1,8 @@
 use super::super::Texel;
 use super::super::average::{EDGE_ON, NEAREST_M};
 use super::{AVERAGE, Average, Gather, STORAGE, UNIFORM, UNIFORM_TEXELS, gather_parts};
-use crate::layout::{array_length, assert_layout, constant, module};
 use interreflect_gpu::Shader;
+use interreflect_gpu::layout::{array_length, assert_layout, constant, module};
 
 /// A method that says the least of its texels.
 const LIGHT: &str = "

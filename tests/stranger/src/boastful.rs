@@ -1,11 +1,6 @@
 //! Too much light, said to be none too much: an estimator whose claims are false.
 
-use glam::Vec3;
-use interreflect_estimators::{
-    Answers, Claim, Cpu, CpuOnly, Estimator, EstimatorError, Frame, Info, Method, OwnModel,
-    Prepared, Quantity, Unsupported,
-};
-use interreflect_scene::{CubeSpec, Needs, SceneFacts};
+use interreflect::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::f32::consts::PI;

@@ -1,7 +1,8 @@
-//! Estimators outside the registry, one that keeps its word and one that does not.
+//! Estimators outside the registry: one whose claims are true, on both backends, and one whose claims are
+//! false.
 
 mod boastful;
-mod hemisphere;
+mod hemisphere_ambient;
 
 pub use boastful::Boastful;
-pub use hemisphere::HemisphereAmbient;
+pub use hemisphere_ambient::HemisphereAmbient;

@@ -2,8 +2,7 @@
 //!
 //! `cargo run --example stranger -- verify --estimator hemisphere_ambient --estimator boastful`
 
-use interreflect::{CountingAllocator, memory, restart_without_driver_chatter};
-use interreflect_estimators::{Entry, Registry};
+use interreflect::{CountingAllocator, Entry, Registry, memory, restart_without_driver_chatter};
 use interreflect_stranger::{Boastful, HemisphereAmbient};
 use std::alloc::System;
 use std::process::ExitCode;
@@ -16,7 +15,7 @@ fn main() -> ExitCode {
     restart_without_driver_chatter();
     memory::count_with(&HEAP);
     let registry = Registry::builtin()
-        .with(Entry::cpu_only::<HemisphereAmbient>())
+        .with(Entry::both::<HemisphereAmbient>())
         .with(Entry::cpu_only::<Boastful>());
     interreflect::run(registry)
 }

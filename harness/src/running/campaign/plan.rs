@@ -45,7 +45,6 @@ pub(crate) struct Setup {
 /// Everything that a campaign does, checked before anything is measured.
 pub(crate) struct Plan {
     pub(crate) setups: Vec<Setup>,
-    pub(crate) scene_changes: SceneChanges,
     pub(crate) methods: Vec<Box<dyn Configured>>,
     pub(crate) quantities: Vec<Quantity>,
     pub(crate) backends: &'static [Backend],
@@ -75,7 +74,6 @@ impl Plan {
         }
         Ok(Self {
             setups: setups(scenes, what, &of_setup)?,
-            scene_changes: what.scene_changes.clone(),
             quantities: quantities(what, &methods, &ids)?,
             methods,
             backends: what.backends,

@@ -1,15 +1,21 @@
-//! What Rust and WGSL both know, compared without any GPU.
+//! What Rust and WGSL both know, compared without any GPU: for tests, which panic where it differs.
 
-use interreflect_gpu::Shader;
+use crate::Shader;
 use naga::{Expression, Literal, Module, TypeInner};
 
 /// A shader's source, parsed.
-pub(crate) fn module(shader: &Shader) -> Module {
+///
+/// # Panics
+/// If it is not valid.
+pub fn module(shader: &Shader) -> Module {
     naga::front::wgsl::parse_str(&shader.source()).expect("valid WGSL")
 }
 
 /// Size of a struct, and name and offset of its members.
-pub(crate) fn layout(module: &Module, name: &str) -> (usize, Vec<(String, usize)>) {
+///
+/// # Panics
+/// If there is no such struct.
+pub fn layout(module: &Module, name: &str) -> (usize, Vec<(String, usize)>) {
     let mut types = module.types.iter().map(|(_, ty)| ty);
     let found = types.find(|ty| ty.name.as_deref() == Some(name));
     let Some(TypeInner::Struct { members, span }) = found.map(|ty| &ty.inner) else {
@@ -20,7 +26,10 @@ pub(crate) fn layout(module: &Module, name: &str) -> (usize, Vec<(String, usize)
 }
 
 /// Value of a `const` of type f32.
-pub(crate) fn constant(module: &Module, name: &str) -> f32 {
+///
+/// # Panics
+/// If there is no such constant.
+pub fn constant(module: &Module, name: &str) -> f32 {
     match initial(module, name) {
         Some(Expression::Literal(Literal::F32(value))) => *value,
         other => panic!("`{name}` is {other:?}"),
@@ -28,12 +37,17 @@ pub(crate) fn constant(module: &Module, name: &str) -> f32 {
 }
 
 /// Value of a `const` of type u32.
-pub(crate) fn constant_u32(module: &Module, name: &str) -> u32 {
+///
+/// # Panics
+/// If there is no such constant.
+pub fn constant_u32(module: &Module, name: &str) -> u32 {
     match initial(module, name) {
         Some(Expression::Literal(Literal::U32(value))) => *value,
         other => panic!("`{name}` is {other:?}"),
     }
 }
+
+pub use crate::assert_layout;
 
 fn initial<'a>(module: &'a Module, name: &str) -> Option<&'a Expression> {
     let mut constants = module.constants.iter().map(|(_, constant)| constant);
@@ -42,7 +56,7 @@ fn initial<'a>(module: &'a Module, name: &str) -> Option<&'a Expression> {
 }
 
 /// Length of the array that a variable holds, if it is fixed.
-pub(crate) fn array_length(module: &Module, variable: &str) -> Option<u32> {
+pub fn array_length(module: &Module, variable: &str) -> Option<u32> {
     let mut variables = module.global_variables.iter().map(|(_, v)| v);
     let found = variables.find(|v| v.name.as_deref() == Some(variable))?;
     match module.types[found.ty].inner {
@@ -56,13 +70,14 @@ pub(crate) fn array_length(module: &Module, variable: &str) -> Option<u32> {
 
 /// Checks that the struct of this name in a shader has the members of a Rust struct, at the same
 /// places, and its size.
+#[macro_export]
 macro_rules! assert_layout {
     ($shader:expr, $rust:ident, [$($member:ident),*]) => {
         let members = vec![
             $((stringify!($member).to_owned(), std::mem::offset_of!($rust, $member))),*
         ];
         assert_eq!(
-            crate::layout::layout(&crate::layout::module(&$shader), stringify!($rust)),
+            $crate::layout::layout(&$crate::layout::module(&$shader), stringify!($rust)),
             (size_of::<$rust>(), members),
             "{} in {}",
             stringify!($rust),
@@ -70,4 +85,3 @@ macro_rules! assert_layout {
         );
     };
 }
-pub(crate) use assert_layout;
