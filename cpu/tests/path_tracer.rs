@@ -3,9 +3,9 @@
 mod support;
 
 use glam::Vec3;
-use interreflect_cpu::path_tracer::{LightPaths, PathQuantity, trace};
+use interreflect_cpu::path_tracer::{PathQuantity, trace};
 use interreflect_cpu::scene::CpuScene;
-use interreflect_scene::{Material, Mesh, Points, Role};
+use interreflect_scene::{LightPaths, Material, Mesh, Points, Role};
 use std::f32::consts::PI;
 use support::estimates::{inside, irradiance, samples};
 use support::{cpu, glowing, object, point, points, quad, under, walls};

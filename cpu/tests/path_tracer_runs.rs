@@ -4,10 +4,8 @@
 mod support;
 
 use glam::Vec3;
-use interreflect_cpu::path_tracer::{
-    LightPaths, PathQuantity, REPLICATES, Stop, mean_of_samples, trace,
-};
-use interreflect_scene::{Light, Material, Point, Role};
+use interreflect_cpu::path_tracer::{PathQuantity, REPLICATES, Stop, mean_of_samples, trace};
+use interreflect_scene::{Light, LightPaths, Material, Point, Role};
 use std::sync::Mutex;
 use support::estimates::{irradiance, samples};
 use support::{cpu, glowing, lit, object, point, points, sphere, under, walls};

@@ -1,6 +1,8 @@
 //! What a method says of itself that can be checked.
 
+use crate::quantity::Quantity;
 use glam::Vec3;
+use interreflect_scene::{Point, Scene};
 
 /// Irradiance in W/m² at a point `x` with unit normal `n` from a planar quadrilateral that radiates 1
 /// W·m⁻²·sr⁻¹, in metres: a method's own kernel, in its own precision. Positive when the corners run
@@ -60,6 +62,16 @@ pub enum Claim {
         /// What is left of it, and why.
         cause: &'static str,
     },
+    /// A rule of the method's own holds at every point: one that may depend on where the point is.
+    AtPoints {
+        /// How far the estimate at a point is from it, in the unit of the quantity over
+        /// [`PointEstimate::greatest`].
+        departure: fn(&PointEstimate<'_>) -> f64,
+        /// Its largest value.
+        within: f64,
+        /// The rule, and what is left of it.
+        cause: &'static str,
+    },
     /// A law of form factors holds for its kernel.
     FormFactor {
         /// The law.
@@ -67,6 +79,20 @@ pub enum Claim {
         /// The kernel.
         kernel: PatchKernel,
     },
+}
+
+/// An estimate at one point of a scene.
+pub struct PointEstimate<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// What is estimated.
+    pub quantity: Quantity,
+    /// The point.
+    pub point: Point,
+    /// The estimate: RGB.
+    pub estimate: Vec3,
+    /// What surroundings of the greatest radiance that is sent anywhere would give.
+    pub greatest: f64,
 }
 
 /// Kinds of exact answers.

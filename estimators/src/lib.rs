@@ -41,11 +41,11 @@ pub const LOBE_POWER: &str = include_str!("lobe_power.wgsl");
 pub const ANGLE: &str = include_str!("angle.wgsl");
 
 pub use backend::{Backend, Cpu, Gpu};
-pub use claims::{Answers, Claim, FormFactorLaw, PatchKernel};
+pub use claims::{Answers, Claim, FormFactorLaw, PatchKernel, PointEstimate};
 pub use error::{EstimatorError, Unsupported};
 pub use frame::{Captures, Changed, Frame, Inputs, VisibleTriangles};
 pub use method::{Estimator, Figure, Info, Kernels, Method, Prepared, Reference};
-pub use model::OwnModel;
+pub use model::{OtherModel, OwnModel, ReferenceModel};
 pub use quantity::Quantity;
 pub use records::Records;
 pub use registry::{Configured, CpuOnly, Entry, Registry, Session, UnknownEstimator};

@@ -1,6 +1,10 @@
 //! What a method claims to compute, apart from how well it does.
 
-use interreflect_cpu::path_tracer::LightPaths;
+use crate::quantity::Quantity;
+use interreflect_cpu::scene::CpuScene;
+use interreflect_cpu::tiles::CpuCx;
+use interreflect_scene::{Estimate, LightPaths, Points};
+use std::fmt;
 
 /// The quantity's value to which a method would converge if its own assumptions were true.
 ///
@@ -39,4 +43,39 @@ pub enum OwnModel {
     },
     /// Full light transport along these paths.
     LightTransport(LightPaths),
+    /// A model of the method's own.
+    Other(OtherModel),
+}
+
+/// A model that no other variant is: a method's crate computes it.
+#[derive(Clone, Copy)]
+pub struct OtherModel(pub &'static dyn ReferenceModel);
+
+/// What a method claims to compute, evaluated by the method's crate: slowly, and better than the method
+/// does.
+pub trait ReferenceModel: Send + Sync {
+    /// Its name in reports: one for each model.
+    fn name(&self) -> &'static str;
+
+    /// The quantity at each point, and how far each value may be off: a standard error, or the change
+    /// from a computation half as fine.
+    fn evaluate(
+        &self,
+        cx: &CpuCx,
+        scene: &CpuScene,
+        quantity: Quantity,
+        points: &Points,
+    ) -> (Estimate, Estimate);
+}
+
+impl PartialEq for OtherModel {
+    fn eq(&self, other: &Self) -> bool {
+        self.0.name() == other.0.name()
+    }
+}
+
+impl fmt::Debug for OtherModel {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.0.name())
+    }
 }

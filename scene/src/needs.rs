@@ -1,6 +1,6 @@
 //! What a method asks of a backend before it can run.
 
-use crate::DirectionalDepthSpec;
+use crate::{Bounds, DirectionalDepthSpec};
 use std::collections::BTreeSet;
 
 /// Channels of a cube capture; what is not asked for is not captured.
@@ -88,7 +88,7 @@ impl Needs {
 }
 
 /// What a method may know of a scene when it says what it needs.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SceneFacts {
     /// There are surfaces to capture.
     pub surfaces: bool,
@@ -102,4 +102,7 @@ pub struct SceneFacts {
     pub emitters: bool,
     /// Some captured surface is a mirror.
     pub mirrors: bool,
+    /// The box around the captured surfaces: a proxy of their places. Without an extent, at the origin,
+    /// where there are none.
+    pub bounds: Bounds,
 }

@@ -1,7 +1,7 @@
 //! A whole scene.
 
 use crate::motion::{Motion, SceneMotion};
-use crate::{Camera, Environment, Light, Material, Mesh, SceneFacts};
+use crate::{Bounds, Camera, Environment, Light, Material, Mesh, SceneFacts};
 use glam::Vec3;
 
 /// What a mesh is for.
@@ -88,6 +88,7 @@ impl Scene {
             lights: self.lights.len() as u32,
             emitters: used().any(|m| m.emission != Vec3::ZERO),
             mirrors: used().any(|m| m.mirror),
+            bounds: Bounds::of_captured(self),
         }
     }
 }

@@ -3,7 +3,6 @@
 //! E_1 is what arrives from emission, from infinity and from surfaces that the lights reach; E_k is
 //! that and what surfaces reflect of E_{k−1}. All E_k use the same rays, shot once.
 
-use super::LightPaths;
 use super::estimator::Estimator;
 use super::lobe::Lobe;
 use super::sampling::{Sample, hash};
@@ -11,7 +10,7 @@ use crate::direct;
 use crate::scene::CpuScene;
 use glam::{DVec3, Vec3};
 use interreflect_scene::coarse_irradiance::CoarseVertex;
-use interreflect_scene::{CoarseIrradiance, Role};
+use interreflect_scene::{CoarseIrradiance, LightPaths, Role};
 use rayon::prelude::*;
 use std::f32::consts::PI;
 use std::time::Instant;

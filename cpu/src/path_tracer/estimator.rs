@@ -5,13 +5,13 @@
 //! Lights without extent are added at every vertex but the point itself. Surfaces scatter by
 //! their triangles' own normals, as captures have it; mirrors reflect by the interpolated ones.
 
-use super::{LightPaths, PathQuantity, lobe::Lobe, sampling::Sample};
+use super::{PathQuantity, lobe::Lobe, sampling::Sample};
 use crate::{
     direct,
     scene::{CpuScene, Geometry, SurfaceHit},
 };
 use glam::{DVec3, Vec3};
-use interreflect_scene::Point;
+use interreflect_scene::{LightPaths, Point};
 
 /// Bounces before Russian roulette begins.
 const CERTAIN_BOUNCES: u32 = 3;

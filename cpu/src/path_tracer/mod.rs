@@ -15,12 +15,12 @@ mod settings;
 mod spread;
 
 pub use coarse::CoarseSolution;
-pub use settings::{LightPaths, PathQuantity, Stop};
+pub use settings::{PathQuantity, Stop};
 
 use crate::scene::CpuScene;
 use estimator::Estimator;
 use glam::DVec3;
-use interreflect_scene::{Estimate, Points};
+use interreflect_scene::{Estimate, LightPaths, Points};
 use rayon::prelude::*;
 use sampling::{SEQUENCE_LENGTH, Sample, hash};
 use std::{

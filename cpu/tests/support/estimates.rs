@@ -2,9 +2,9 @@
 
 use super::{point, points};
 use glam::Vec3;
-use interreflect_cpu::path_tracer::{LightPaths, PathQuantity, Stop, Traced, trace};
+use interreflect_cpu::path_tracer::{PathQuantity, Stop, Traced, trace};
 use interreflect_cpu::scene::CpuScene;
-use interreflect_scene::Points;
+use interreflect_scene::{LightPaths, Points};
 
 pub(crate) fn samples(count: u32) -> Stop {
     Stop {

@@ -21,9 +21,8 @@ use crate::{
 };
 use environment::Blurred;
 use glam::DVec3;
-use interreflect_cpu::path_tracer::LightPaths;
 use interreflect_scene::params::Fidelity;
-use interreflect_scene::{DirectionalDepthSpec, Environment, Needs, SceneFacts};
+use interreflect_scene::{DirectionalDepthSpec, Environment, LightPaths, Needs, SceneFacts};
 use std::f64::consts::{FRAC_1_PI, PI};
 
 pub use params::{Bias, DirectionalAo, Visibility};

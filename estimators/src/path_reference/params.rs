@@ -1,6 +1,4 @@
-use interreflect_cpu::path_tracer::LightPaths;
-#[cfg(doc)]
-use interreflect_cpu::path_tracer::REPLICATES;
+use interreflect_scene::LightPaths;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use smart_default::SmartDefault;
@@ -10,7 +8,7 @@ use smart_default::SmartDefault;
 pub struct PathReference {
     /// Paths per point; beyond 32 rounded up to whole rounds.
     ///
-    /// A round has [`REPLICATES`] paths.
+    /// A round has [`interreflect_cpu::path_tracer::REPLICATES`] paths.
     #[default(256)]
     #[schemars(range(min = 1, max = 1 << 20), extend("scale" = "log"))]
     pub samples: u32,

@@ -9,11 +9,11 @@ use crate::domain::metrics::Reference;
 use crate::domain::record::Comparison;
 use crate::running::error::RunError;
 use interreflect_conformance::own_model::{ModelValues, evaluate};
-use interreflect_cpu::path_tracer::{LightPaths, Stop};
+use interreflect_cpu::path_tracer::Stop;
 use interreflect_cpu::scene::CpuScene;
 use interreflect_cpu::tiles::CpuCx;
 use interreflect_estimators::{OwnModel, Quantity};
-use interreflect_scene::{Estimate, Points, digest};
+use interreflect_scene::{Estimate, LightPaths, Points, digest};
 
 /// Full light transport.
 pub const TRUTH: OwnModel = OwnModel::LightTransport(LightPaths::ALL);

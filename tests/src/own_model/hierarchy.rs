@@ -33,7 +33,8 @@ impl Hierarchy {
             }
             OwnModel::OccludedEnvironment
             | OwnModel::FirstHitsOfLights { .. }
-            | OwnModel::LightTransport(_) => (false, 0),
+            | OwnModel::LightTransport(_)
+            | OwnModel::Other(_) => (false, 0),
         };
         let channels = CubeChannels {
             radiance: true,

@@ -19,12 +19,12 @@ mod tests;
 use gather::Gather;
 use glam::Vec3;
 use hierarchy::Hierarchy;
-use interreflect_cpu::path_tracer::{LightPaths, Stop, trace};
+use interreflect_cpu::path_tracer::{Stop, trace};
 use interreflect_cpu::scene::CpuScene;
 use interreflect_cpu::tiles::CpuCx;
 use interreflect_estimators::path_reference::path_quantity;
 use interreflect_estimators::{OwnModel, Quantity};
-use interreflect_scene::{Estimate, Material, Points};
+use interreflect_scene::{Estimate, LightPaths, Material, Points};
 use lit::{Lit, PATCHES};
 
 /// A model's value at each point, with how far it may be off.
@@ -63,6 +63,14 @@ pub fn evaluate(
             values: traced.mean,
             error: traced.standard_error,
             description: format!("path tracing, {} samples, seed {seed}", traced.samples),
+        };
+    }
+    if let OwnModel::Other(other) = model {
+        let (values, error) = other.0.evaluate(cx, scene, quantity, points);
+        return ModelValues {
+            values,
+            error,
+            description: other.0.name().into(),
         };
     }
     if model == OwnModel::OccludedEnvironment {

@@ -3,11 +3,10 @@
 use super::*;
 use crate::oracles::polygon::polygon_irradiance;
 use glam::Vec3;
-use interreflect_cpu::path_tracer::LightPaths;
 use interreflect_estimators::Tolerance;
 use interreflect_scene::conventions::{CUBE_FACES, cube_vector};
 use interreflect_scene::load::{SceneRequest, open};
-use interreflect_scene::{Environment, Mesh, Point, Role, Scene, SurfaceMaterial};
+use interreflect_scene::{Environment, LightPaths, Mesh, Point, Role, Scene, SurfaceMaterial};
 use std::f64::consts::PI;
 use std::path::Path;
 

@@ -74,7 +74,10 @@ impl Answer {
     }
 
     fn found(&self, subject: &MethodUnderTest<'_>, (bound, cause): (f64, &str)) -> Found {
-        let settings = (self.settings)(subject.model(), subject.quantity).ok_or_else(|| {
+        let model = subject.model();
+        let known = !matches!(model, OwnModel::Other(_));
+        let settings = known.then(|| (self.settings)(model, subject.quantity));
+        let settings = settings.flatten().ok_or_else(|| {
             Nothing::NotApplicable(format!(
                 "what it computes of {} has no closed form here",
                 subject.quantity.name()

@@ -164,5 +164,6 @@ pub(super) fn facts(lighting: Lighting) -> SceneFacts {
         lights: u32::from(lighting == Lighting::Lamp),
         emitters: lighting == Lighting::Walls,
         mirrors: false,
+        ..SceneFacts::default()
     }
 }

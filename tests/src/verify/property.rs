@@ -1,5 +1,6 @@
 //! Claims that are tried in random worlds.
 
+mod at_points;
 mod invariances;
 mod light;
 
@@ -18,8 +19,8 @@ pub(super) struct Property {
     pub(super) about: &'static str,
     /// The bound that a claim sets, and its cause; `None` for another claim.
     bound: fn(&Claim) -> Option<(f64, &'static str)>,
-    /// The bound where it is not claimed.
-    tried: f64,
+    /// The bound where it is not claimed; `None`: it is not tried then.
+    tried: Option<f64>,
     /// What rounding may add to it.
     slack: Slack,
     /// Why it can't be asked under this lighting, if it can't.
@@ -39,7 +40,8 @@ enum Slack {
 
 /// All properties.
 pub(super) fn all() -> Vec<Property> {
-    light::all().into_iter().chain(invariances::all()).collect()
+    let all = light::all().into_iter().chain(invariances::all());
+    all.chain([at_points::property()]).collect()
 }
 
 /// The worst that was met at the points of a world.
@@ -112,7 +114,9 @@ impl Property {
         if let Some(why) = (self.out_of_place)(lighting, subject.quantity) {
             return Err(Nothing::NotApplicable(why.into()));
         }
-        let (bound, cause) = claim.unwrap_or((self.tried, ""));
+        let Some((bound, cause)) = claim.or(self.tried.map(|bound| (bound, ""))) else {
+            return Err(Nothing::NotApplicable("not claimed".into()));
+        };
         let bound = bound + self.slack(subject, lighting);
         if let Some(case) = &subject.case {
             return self.tell(subject, case, lighting, bound, cause, 1);

@@ -4,9 +4,9 @@ use crate::ensure;
 use crate::subjects::{SUBJECTS, Subject};
 use crate::world::{CPU, Outcome, Variant, bounced, cpu_scene, run};
 use interreflect_conformance::own_model::evaluate;
-use interreflect_cpu::path_tracer::{LightPaths, Stop};
+use interreflect_cpu::path_tracer::Stop;
 use interreflect_estimators::{OwnModel, Quantity};
-use interreflect_scene::{Estimate, PointLayout};
+use interreflect_scene::{Estimate, LightPaths, PointLayout};
 use libtest_mimic::Trial;
 
 pub(crate) fn trials() -> Vec<Trial> {

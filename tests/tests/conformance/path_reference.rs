@@ -11,9 +11,9 @@ mod skies;
 use crate::ensure;
 use crate::world::{CPU, Outcome};
 use interreflect_conformance::statistics::{Disagreement, Scores};
-use interreflect_cpu::path_tracer::{LightPaths, PathQuantity, Stop, Traced, trace};
+use interreflect_cpu::path_tracer::{PathQuantity, Stop, Traced, trace};
 use interreflect_cpu::scene::CpuScene;
-use interreflect_scene::Points;
+use interreflect_scene::{LightPaths, Points};
 use libtest_mimic::Trial;
 
 pub(crate) fn trials() -> Vec<Trial> {

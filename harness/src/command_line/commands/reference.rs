@@ -10,9 +10,10 @@ use crate::presenting::output::{Header, write_exr};
 use crate::running::context::{Context, GpuUse};
 use crate::running::settings::Setting;
 use crate::running::view::View;
-use interreflect_cpu::path_tracer::{LightPaths, trace};
+use interreflect_cpu::path_tracer::trace;
 use interreflect_estimators::path_reference::path_quantity;
 use interreflect_estimators::{OwnModel, Registry};
+use interreflect_scene::LightPaths;
 use serde::Serialize;
 
 /// Points of a reference if none are asked for.

@@ -8,10 +8,9 @@ use crate::running::error::RunError;
 use crate::running::truth::TRUTH;
 use glam::DVec3;
 use interreflect_conformance::own_model::ModelValues;
-use interreflect_cpu::path_tracer::LightPaths;
 use interreflect_cpu::tiles::Arithmetic;
 use interreflect_estimators::{Configured, OwnModel};
-use interreflect_scene::{Estimate, Points};
+use interreflect_scene::{Estimate, LightPaths, Points};
 
 /// What a model leaves out of the truth, a step at a time; the last one ends at the model.
 pub(super) fn left_out(model: OwnModel) -> Vec<(&'static str, OwnModel)> {
@@ -73,6 +72,7 @@ pub(super) fn left_out(model: OwnModel) -> Vec<(&'static str, OwnModel)> {
         OwnModel::OccludedEnvironment => vec![("light that surfaces reflect or emit", model)],
         OwnModel::LightTransport(LightPaths::ALL) => Vec::new(),
         OwnModel::LightTransport(_) => vec![("paths that are not followed", model)],
+        OwnModel::Other(_) => vec![("what the model leaves out", model)],
     }
 }
 

@@ -3,9 +3,8 @@
 use super::{Answer, Reduce, Setting, facing, orientations, scene};
 use crate::oracles::form_factors::integrating_sphere;
 use glam::{DVec3, Vec3};
-use interreflect_cpu::path_tracer::LightPaths;
 use interreflect_estimators::{Answers, OwnModel, Quantity};
-use interreflect_scene::{Light, Material, Scene, shapes};
+use interreflect_scene::{Light, LightPaths, Material, Scene, shapes};
 use std::f64::consts::PI;
 
 pub(super) fn all() -> Vec<Answer> {

@@ -8,9 +8,8 @@ use crate::world::Outcome;
 use glam::{DVec3, Vec3};
 use interreflect_conformance::oracles::form_factors::{furnace_radiance, integrating_sphere};
 use interreflect_conformance::statistics::Scores;
-use interreflect_cpu::path_tracer::LightPaths;
 use interreflect_scene::{
-    Light, Material, Point, PointLayout, Points, Role, SceneRequest, open, shapes,
+    Light, LightPaths, Material, Point, PointLayout, Points, Role, SceneRequest, open, shapes,
 };
 use libtest_mimic::Trial;
 use std::f64::consts::PI;

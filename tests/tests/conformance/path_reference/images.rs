@@ -7,8 +7,8 @@ use crate::subjects::{SUBJECTS, Subject};
 use crate::world::Outcome;
 use glam::{DVec3, Vec3};
 use interreflect_conformance::statistics::{Disagreement, Scores};
-use interreflect_cpu::path_tracer::{LightPaths, PathQuantity, Traced};
-use interreflect_scene::{PointLayout, Scene};
+use interreflect_cpu::path_tracer::{PathQuantity, Traced};
+use interreflect_scene::{LightPaths, PointLayout, Scene};
 use libtest_mimic::Trial;
 
 /// The quantities that carry light, with their names.

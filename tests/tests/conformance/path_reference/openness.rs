@@ -10,8 +10,8 @@ use interreflect_conformance::oracles::form_factors::{
     parallel_rectangle,
 };
 use interreflect_conformance::statistics::Scores;
-use interreflect_cpu::path_tracer::{LightPaths, PathQuantity};
-use interreflect_scene::{Mesh, Role, Scene, SceneRequest, open, shapes};
+use interreflect_cpu::path_tracer::PathQuantity;
+use interreflect_scene::{LightPaths, Mesh, Role, Scene, SceneRequest, open, shapes};
 use libtest_mimic::Trial;
 use std::f64::consts::PI;
 

@@ -8,9 +8,9 @@ use crate::subjects::{SUBJECTS, Subject};
 use crate::world::Outcome;
 use glam::{DVec3, Vec3};
 use interreflect_conformance::statistics::Scores;
-use interreflect_cpu::path_tracer::{LightPaths, Traced};
+use interreflect_cpu::path_tracer::Traced;
 use interreflect_cpu::scene::CpuScene;
-use interreflect_scene::{Material, Point, PointLayout, Points, Role, Scene};
+use interreflect_scene::{LightPaths, Material, Point, PointLayout, Points, Role, Scene};
 use libtest_mimic::Trial;
 use std::sync::LazyLock;
 

@@ -6,10 +6,9 @@ use super::super::finding::Finding;
 use super::super::judge::{ERROR, Judge, scaled};
 use super::super::pictures::Row;
 use crate::running::error::RunError;
-use interreflect_cpu::path_tracer::LightPaths;
 use interreflect_estimators::execution::LoadedScene;
 use interreflect_estimators::{Configured, OwnModel, Quantity};
-use interreflect_scene::Estimate;
+use interreflect_scene::{Estimate, LightPaths};
 
 /// How the model reflects.
 #[derive(Clone, Copy, Debug, PartialEq)]

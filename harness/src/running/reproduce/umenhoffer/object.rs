@@ -7,8 +7,8 @@ use super::super::judge::{ERROR, Judge};
 use super::super::pictures::Row;
 use super::super::verdict::Amount;
 use crate::running::error::RunError;
-use interreflect_cpu::path_tracer::LightPaths;
 use interreflect_estimators::{OwnModel, Quantity};
+use interreflect_scene::LightPaths;
 
 /// All light but what the model keeps from itself.
 const UNSHADOWED: OwnModel = OwnModel::LightTransport(LightPaths {
