@@ -72,7 +72,7 @@ fn a_bare_bench_runs_everything() {
             && bench.what.quantities.is_empty()
     );
     assert_eq!(bench.what.backend.list(), [Backend::Cpu, Backend::Gpu]);
-    assert_eq!(bench.what.budget, ReferenceBudget::default());
+    assert_eq!(bench.what.budget, ReferenceOptions::default());
 }
 
 #[test]

@@ -7,7 +7,7 @@ mod metric;
 
 use super::samples::*;
 use super::*;
-use crate::domain::record::{Backend, ParamValue, Verdict};
+use crate::domain::record::{Backend, ParamValue, Phases, Verdict};
 
 fn close(found: f64, expected: f64) {
     // A power of a logarithm in float64.

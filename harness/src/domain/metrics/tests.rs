@@ -1,5 +1,6 @@
 #![allow(clippy::unwrap_used, reason = "tests")]
 use super::*;
+use crate::domain::record::Verdict;
 use interreflect_scene::{Point, PointLayout};
 
 fn estimate(values: &[[f32; 3]]) -> Estimate {

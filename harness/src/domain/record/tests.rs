@@ -52,7 +52,7 @@ fn run() -> Run {
         slowed: Some(1.3),
         bytes: Some(Bytes {
             captures: 6,
-            own: 5,
+            own: Some(5),
             points: 4,
         }),
         own_model: None,

@@ -1,6 +1,7 @@
 //! What records let one conclude, in tables and in text.
 
 mod error_breakdown;
+mod notes;
 mod tables;
 mod text;
 

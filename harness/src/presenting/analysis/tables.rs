@@ -1,13 +1,12 @@
 //! Conclusions as tables of words and numbers, for the terminal and the report alike.
 
-use super::text::notes;
+use super::notes::notes;
 use crate::domain::analysis::{
     Cell, Conclusions, Floor, FrameTime, Front, Measured, Metric, Numbers, Problem, Question, Row,
     Standing, Table,
 };
 use crate::domain::format;
-use crate::presenting::table;
-use crate::presenting::terminal;
+use crate::presenting::{table, terminal};
 use std::fmt::Write as _;
 
 /// A table of one place.

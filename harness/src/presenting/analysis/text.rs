@@ -1,6 +1,7 @@
 //! Conclusions as text for the terminal.
 
 use super::Sheet;
+use super::notes::notes;
 use super::tables::{error, time};
 use crate::domain::analysis::{Advice, Answer, Budget, Choice, Conclusions};
 use crate::domain::format;
@@ -53,33 +54,6 @@ fn in_text(sheets: &[Sheet], width: Option<u16>) -> String {
 /// Answers one after the other.
 pub fn advice_in_text(advice: &[Advice]) -> String {
     with_notes(advice.iter().map(Advice::text).collect())
-}
-
-/// Marks with what they mean.
-const NOTES: [(&[&str], &str); 7] = [
-    (&["* "], "*: the best within this limit\n"),
-    (&["≈ "], "≈: can't be told apart from the best\n"),
-    (
-        &["? "],
-        "?: might be better, with a sample count that was not measured\n",
-    ),
-    (
-        &[" < "],
-        "<: this or better; it is the end of the sample counts that were measured\n",
-    ),
-    (
-        &["n<", "n>"],
-        "n<, n>: would take fewer or more samples than were measured; nothing is extrapolated\n",
-    ),
-    (&[" sw"], terminal::SOFTWARE),
-    (&["≲ "], terminal::UPPER_BOUND),
-];
-
-/// Explains the marks that a text has.
-pub(super) fn notes(text: &str) -> String {
-    let has = |marks: &[&str]| marks.iter().any(|m| text.contains(m));
-    let of_text = NOTES.iter().filter(|(marks, _)| has(marks));
-    of_text.map(|(_, note)| *note).collect()
 }
 
 fn with_notes(text: String) -> String {

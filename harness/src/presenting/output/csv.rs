@@ -1,7 +1,6 @@
 //! Runs as a table for other programs: a column for every value that some run has.
 
-use crate::domain::files::FileError;
-use crate::domain::files::write_atomically;
+use crate::domain::files::{FileError, write_atomically};
 use crate::domain::record::Run;
 use serde_json::Value;
 use std::{io, path::Path};

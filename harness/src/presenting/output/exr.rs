@@ -3,8 +3,7 @@
 //! They are packed and unpacked on the thread that asks: the format library's own threads end some time
 //! after a file, and would take time and free memory while the next thing is measured.
 
-use crate::domain::files::FileError;
-use crate::domain::files::write_atomically;
+use crate::domain::files::{FileError, write_atomically};
 use crate::domain::image::HdrImage;
 use crate::domain::machine::Machine;
 use crate::domain::record::Run;

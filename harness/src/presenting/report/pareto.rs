@@ -29,8 +29,8 @@ pub(super) struct Plot {
     intervals: bool,
 }
 
-/// A run with what places it.
-struct Place<'a> {
+/// A run where the plot has it.
+struct PlotPoint<'a> {
     of: &'a Numbered<'a>,
     time: f64,
     interval: [f64; 2],
@@ -43,8 +43,8 @@ impl Plot {
     /// own model's where no run has a truth.
     pub(super) fn of(runs: &[Numbered<'_>]) -> Result<Option<Self>, PresentError> {
         let has_truth = runs.iter().any(|r| r.run.truth.is_some());
-        let places: Vec<_> = runs.iter().filter_map(|of| place(of, has_truth)).collect();
-        if places.len() < 2 {
+        let points: Vec<_> = runs.iter().filter_map(|of| point(of, has_truth)).collect();
+        if points.len() < 2 {
             return Ok(None);
         }
         let error_of = if has_truth {
@@ -52,28 +52,28 @@ impl Plot {
         } else {
             "the own model"
         };
-        let floor = noise_floor(&places);
-        let times = Axis::log(places.iter().flat_map(|p| [p.interval[0], p.interval[1]]));
-        let errors = Axis::log(places.iter().map(|p| p.error).chain(floor));
+        let floor = noise_floor(&points);
+        let times = Axis::log(points.iter().flat_map(|p| [p.interval[0], p.interval[1]]));
+        let errors = Axis::log(points.iter().map(|p| p.error).chain(floor));
         let y_title = format!("relMSE against {error_of}");
         let titles = ["capture + prepare + shade, ms", y_title.as_str()];
         let (svg, mut marks) = draw(SIZE, [&times, &errors], titles, |chart| {
-            content(chart, &places, &times, floor)
+            content(chart, &points, &times, floor)
         })?;
-        name(&mut marks, &places);
+        name(&mut marks, &points);
         Ok(Some(Self {
             width: SIZE.0,
             height: SIZE.1,
             svg,
             error_of,
-            intervals: places.iter().any(|p| p.interval[0] < p.interval[1]),
+            intervals: points.iter().any(|p| p.interval[0] < p.interval[1]),
             left_out: runs.iter().filter(|r| r.run.skipped.is_none()).count() - marks.len(),
             marks,
         }))
     }
 }
 
-fn place<'a>(of: &'a Numbered<'a>, has_truth: bool) -> Option<Place<'a>> {
+fn point<'a>(of: &'a Numbered<'a>, has_truth: bool) -> Option<PlotPoint<'a>> {
     let comparison = if has_truth {
         &of.run.truth
     } else {
@@ -83,7 +83,7 @@ fn place<'a>(of: &'a Numbered<'a>, has_truth: bool) -> Option<Place<'a>> {
     let error = comparison.relmse.filter(|e| *e > 0.0)?;
     let time = of.run.phases_ms.frame_ms().filter(|t| *t > 0.0)?;
     let [low, high] = frame_interval_ms(&of.run.phases_ms)?;
-    Some(Place {
+    Some(PlotPoint {
         of,
         time,
         // A spread as wide as the time itself would leave the axis.
@@ -94,10 +94,10 @@ fn place<'a>(of: &'a Numbered<'a>, has_truth: bool) -> Option<Place<'a>> {
 }
 
 /// Has numbers written where there is room: those of the fronts first.
-fn name(marks: &mut [Mark], places: &[Place<'_>]) {
-    let mut order: Vec<usize> = fronts(places).into_iter().flatten().collect();
-    if places.len() <= NAMED {
-        order.extend(0..places.len());
+fn name(marks: &mut [Mark], points: &[PlotPoint<'_>]) {
+    let mut order: Vec<usize> = fronts(points).into_iter().flatten().collect();
+    if points.len() <= NAMED {
+        order.extend(0..points.len());
     }
     for i in order {
         let free = |other: &Mark| !other.named || !other.hides(&marks[i]);
@@ -106,25 +106,25 @@ fn name(marks: &mut [Mark], places: &[Place<'_>]) {
 }
 
 /// The largest noise floor: below it no run's error can be told.
-fn noise_floor(places: &[Place<'_>]) -> Option<f64> {
-    let floors = places.iter().filter_map(|p| p.comparison.noise_floor);
+fn noise_floor(points: &[PlotPoint<'_>]) -> Option<f64> {
+    let floors = points.iter().filter_map(|p| p.comparison.noise_floor);
     floors.filter(|f| *f > 0.0).max_by(f64::total_cmp)
 }
 
 /// Indices of the runs that no other of their backend betters in time and error, from the fastest; the
 /// CPU's and the GPU's apart, since a time on the one says nothing about the other.
-fn fronts(places: &[Place<'_>]) -> [Vec<usize>; 2] {
+fn fronts(points: &[PlotPoint<'_>]) -> [Vec<usize>; 2] {
     [Backend::Cpu, Backend::Gpu].map(|backend| {
-        let on_backend = |i: &usize| places[*i].of.run.backend == backend;
-        let mut order: Vec<usize> = (0..places.len()).filter(on_backend).collect();
+        let on_backend = |i: &usize| points[*i].of.run.backend == backend;
+        let mut order: Vec<usize> = (0..points.len()).filter(on_backend).collect();
         order.sort_by(|a, b| {
-            let (a, b) = (&places[*a], &places[*b]);
+            let (a, b) = (&points[*a], &points[*b]);
             a.time.total_cmp(&b.time).then(a.error.total_cmp(&b.error))
         });
         let mut best = f64::INFINITY;
         order.retain(|i| {
-            let better = places[*i].error < best;
-            best = best.min(places[*i].error);
+            let better = points[*i].error < best;
+            best = best.min(points[*i].error);
             better
         });
         order
@@ -133,7 +133,7 @@ fn fronts(places: &[Place<'_>]) -> [Vec<usize>; 2] {
 
 fn content(
     chart: &mut Chart<'_, '_>,
-    places: &[Place<'_>],
+    points: &[PlotPoint<'_>],
     times: &Axis,
     floor: Option<f64>,
 ) -> Result<Vec<Mark>, Failure> {
@@ -149,10 +149,10 @@ fn content(
         let text = EmptyElement::at(at) + Text::new("noise floor", (4, -15), words);
         chart.draw_series([text])?;
     }
-    for front in fronts(places) {
+    for front in fronts(points) {
         let mut steps: Vec<(f64, f64)> = Vec::new();
-        for place in front.iter().map(|i| &places[*i]) {
-            let (x, y) = (place.time, place.error);
+        for point in front.iter().map(|i| &points[*i]) {
+            let (x, y) = (point.time, point.error);
             if let Some((_, before)) = steps.last().copied() {
                 steps.push((x, before));
             }
@@ -160,14 +160,14 @@ fn content(
         }
         chart.draw_series(LineSeries::new(steps, Ink::Text.colour().mix(0.45)))?;
     }
-    for place in places {
-        let y = place.error;
-        let bar = place.interval.map(|t| (t, y));
-        chart.draw_series(LineSeries::new(bar, Ink::Hue(place.of.hue).colour()))?;
+    for point in points {
+        let y = point.error;
+        let bar = point.interval.map(|t| (t, y));
+        chart.draw_series(LineSeries::new(bar, Ink::Hue(point.of.hue).colour()))?;
     }
-    let mark = |p: &Place<'_>| {
+    let mark = |p: &PlotPoint<'_>| {
         let at = chart.backend_coord(&(p.time, p.error));
         Mark::new(at, p.of, p.comparison.verdict == Verdict::Conclusive)
     };
-    Ok(places.iter().map(mark).collect())
+    Ok(points.iter().map(mark).collect())
 }

@@ -2,6 +2,7 @@
 use super::*;
 use crate::domain::machine::Adapter;
 use crate::domain::record::{Backend, Comparison, ParamMap, Phases, TimeSource, Timing, Verdict};
+use crate::presenting::table::Table;
 use glam::Vec3;
 use interreflect_scene::params::Value;
 
@@ -133,6 +134,7 @@ fn report() -> Report {
     Report {
         title: "interreflect bench".into(),
         command: "interreflect bench --set a<b>".into(),
+        invocation: None,
         machine: Machine::detect(2, "avx2", Some(&adapter)),
         seed: Some(7),
         runs,

@@ -2,8 +2,9 @@
 
 use crate::domain::image::Exposure;
 use crate::presenting::error::PresentError;
-use crate::presenting::output::{ErrorMap, Header, encode_png, error_range};
-use crate::presenting::output::{write_exr, write_png, write_rgba};
+use crate::presenting::output::{
+    ErrorMap, Header, encode_png, error_range, write_exr, write_png, write_rgba,
+};
 use crate::running::reproduce::Row;
 use base64::{Engine as _, engine::general_purpose::STANDARD};
 use image::{Rgba, RgbaImage, imageops};

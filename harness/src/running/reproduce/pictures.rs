@@ -15,7 +15,7 @@ pub struct Row {
 
 impl Row {
     /// Pictures without a reference.
-    pub(super) fn plain(title: impl Into<String>) -> Self {
+    pub(crate) fn plain(title: impl Into<String>) -> Self {
         Self {
             title: title.into(),
             pictures: Vec::new(),
@@ -24,7 +24,7 @@ impl Row {
     }
 
     /// Begun with a reference.
-    pub(super) fn against(
+    pub(crate) fn against(
         title: impl Into<String>,
         caption: impl Into<String>,
         reference: HdrImage,
@@ -38,7 +38,7 @@ impl Row {
     }
 
     /// Adds a picture.
-    pub(super) fn add(&mut self, caption: impl Into<String>, image: HdrImage) {
+    pub(crate) fn add(&mut self, caption: impl Into<String>, image: HdrImage) {
         self.pictures.push((caption.into(), image));
     }
 }

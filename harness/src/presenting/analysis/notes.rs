@@ -1,0 +1,30 @@
+//! What marks in tables mean.
+
+use crate::presenting::terminal;
+
+/// Marks with what they mean.
+const NOTES: [(&[&str], &str); 7] = [
+    (&["* "], "*: the best within this limit\n"),
+    (&["≈ "], "≈: can't be told apart from the best\n"),
+    (
+        &["? "],
+        "?: might be better, with a sample count that was not measured\n",
+    ),
+    (
+        &[" < "],
+        "<: this or better; it is the end of the sample counts that were measured\n",
+    ),
+    (
+        &["n<", "n>"],
+        "n<, n>: would take fewer or more samples than were measured; nothing is extrapolated\n",
+    ),
+    (&[" sw"], terminal::SOFTWARE),
+    (&["≲ "], terminal::UPPER_BOUND),
+];
+
+/// Explains the marks that a text has.
+pub(super) fn notes(text: &str) -> String {
+    let has = |marks: &[&str]| marks.iter().any(|m| text.contains(m));
+    let of_text = NOTES.iter().filter(|(marks, _)| has(marks));
+    of_text.map(|(_, note)| *note).collect()
+}
