@@ -221,6 +221,12 @@ impl<'a> Campaign<'a> {
             stages,
             view,
         } = opened;
+        progress::begin(format_args!(
+            "{}, {}: {} tasks",
+            setup.name,
+            quantity.name(),
+            todo.len()
+        ));
         let bar = progress::bar("path tracing", todo.len() as u64);
         let points = view.points(quantity.layout());
         let cache = self.settings.references.as_ref().map(|folder| {
