@@ -2,7 +2,8 @@
 # Compares what two builds compute on every built-in scene, on both backends, value for value and pixel
 # for pixel; what may differ by nature is listed in scripts/same_results.py, with the reasons.
 #
-#   scripts/same-results.sh OLD NEW
+#   scripts/same-results.sh OLD NEW            all of them, then verify, probe and render: ten minutes a build
+#   scripts/same-results.sh OLD NEW SCENE...   only bench, sweep and reference on these scenes
 #
 # OLD and NEW are each a program, a checkout whose target/release/interreflect is built, or a folder that
 # an earlier run left: what the programs print and write is kept in target/same-results/old and new.
@@ -17,7 +18,7 @@ kept=${CARGO_TARGET_DIR:-$root/target}/same-results
 # said in another way, this is the place. Budgets are small: costs, not what is reached, depend on them.
 invocations() {
     record list list --needs --json
-    for scene in $(names scenes); do
+    for scene in ${scenes:-$(names scenes)}; do
         points=256
         case $scene in
             cornell-box) vary=scene.light=spot,emitter ;;
@@ -38,6 +39,7 @@ invocations() {
             --vary "$vary" --vary run.points=16,32 --json --out "sweep-$scene"
         record "reference-$scene" reference "$scene" --points 256 --samples 8 --seed 7 --json
     done
+    [ -z "$scenes" ] || return 0
     record verify verify --cases 4 --json
     write_points >points.csv
     for estimator in $(names estimators); do
@@ -94,11 +96,14 @@ results() {
     echo "$kept/$2"
 }
 
-[ "$#" -eq 2 ] || {
+[ "$#" -ge 2 ] || {
     sed -n '2,/^set /s/^# \{0,1\}//p' "$0" >&2
     exit 2
 }
 command -v python3 >/dev/null 2>&1 || apt_install "python3 is missing" python3-minimal
-old=$(results "$1" old)
-new=$(results "$2" new)
+old=$1 new=$2
+shift 2
+scenes=$*
+old=$(results "$old" old)
+new=$(results "$new" new)
 exec python3 "$root/scripts/same_results.py" "$old" "$new"

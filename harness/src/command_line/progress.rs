@@ -1,6 +1,7 @@
-//! Progress bars: on a terminal, and none in a pipe.
+//! Progress: bars on a terminal, plain lines elsewhere.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::fmt;
 use std::io::IsTerminal;
 
 /// A bar on standard error that counts to `length`.
@@ -9,6 +10,13 @@ pub(crate) fn bar(what: &'static str, length: u64) -> ProgressBar {
     match ProgressStyle::with_template("{msg:<40!} {wide_bar} {percent:>3} % {elapsed}") {
         Ok(style) => bar.with_style(style),
         Err(_) => bar,
+    }
+}
+
+/// Where there is no terminal for a bar, a line on standard error says what begins.
+pub(crate) fn begin(what: fmt::Arguments<'_>) {
+    if !std::io::stderr().is_terminal() {
+        eprintln!("{what}");
     }
 }
 

@@ -213,7 +213,7 @@ impl<'a> Campaign<'a> {
             view,
         } = opened;
         let scene = &loaded.cpu().scene;
-        observer.begin(todo.len());
+        observer.begin(&setup.name, quantity, todo.len());
         let points = view.points(quantity.layout());
         let cache = self.settings.references.as_ref().map(|folder| {
             let of = digest(&(&self.settings.program, hash, setup.run.points));

@@ -7,6 +7,7 @@ use crate::running::campaign::{Campaign, Observer};
 use crate::running::error::RunError;
 use crate::running::warning::Warning;
 use indicatif::ProgressBar;
+use interreflect_estimators::Quantity;
 use std::path::Path;
 
 /// Shows a bar for each scene and quantity, and keeps results as they come.
@@ -29,7 +30,8 @@ impl Observer for Watcher<'_> {
         warn(warning);
     }
 
-    fn begin(&mut self, tasks: usize) {
+    fn begin(&mut self, scene: &str, quantity: Quantity, tasks: usize) {
+        progress::begin(format_args!("{scene}, {}: {tasks} tasks", quantity.name()));
         self.bar = Some(progress::bar("path tracing", tasks as u64));
     }
 

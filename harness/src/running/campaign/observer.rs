@@ -16,7 +16,7 @@ pub(crate) trait Observer {
     fn warn(&mut self, warning: &Warning);
 
     /// So many tasks of one quantity of a scene begin.
-    fn begin(&mut self, tasks: usize);
+    fn begin(&mut self, scene: &str, quantity: Quantity, tasks: usize);
 
     /// One of them begins.
     fn task(&mut self, label: String);
