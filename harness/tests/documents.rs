@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-use interreflect_estimators::Registry;
+use interreflect_estimators::{Reference, Registry};
 use interreflect_scene::params::{FieldInfo, Value};
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -162,7 +162,7 @@ fn the_readme_has_a_row_for_each_estimator() {
 /// PAPERS.md has the section of each method's PAPER.md, and the publications that methods name.
 #[test]
 fn papers_has_the_sections_and_the_references_of_all_methods() {
-    let (mut sections, mut references) = (String::from("\n"), BTreeSet::new());
+    let (mut sections, mut references) = (String::from("\n"), BTreeSet::<Reference>::new());
     for entry in Registry::builtin().entries() {
         let info = entry.info();
         let paper = root().join(format!("estimators/src/{}/PAPER.md", info.id));
