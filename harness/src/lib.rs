@@ -15,6 +15,9 @@ pub mod running;
 
 pub use command_line::restart::restart_without_driver_chatter;
 pub use command_line::{run, run_with};
+/// What `verify` checks, and how a program adds checks of its own.
+pub use interreflect_conformance::verify;
+
 /// What a method of another crate is written with.
 pub use interreflect_estimators::{
     Entry, Registry, averaging, bytemuck, convolution, glam, leaves, lobes, prelude, reflection,

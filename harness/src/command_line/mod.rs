@@ -8,6 +8,7 @@ mod invocation;
 mod progress;
 pub(crate) mod restart;
 
+use interreflect_conformance::verify::Check;
 use interreflect_estimators::Registry;
 use invocation::Invoked;
 use std::ffi::OsString;
@@ -19,11 +20,16 @@ use std::process::ExitCode;
 /// Exit code 0 on success, 2 on bad usage or input with one line on standard error, 1 on anything
 /// else.
 pub fn run(registry: Registry) -> ExitCode {
-    run_with(registry, std::env::args_os())
+    run_with(registry, Vec::new(), std::env::args_os())
 }
 
-/// As [`run`], with arguments of the caller's (the program's own name first).
-pub fn run_with(registry: Registry, arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+/// As [`run`], with further checks for `verify`, and with arguments of the caller's (the program's own
+/// name first).
+pub fn run_with(
+    registry: Registry,
+    checks: Vec<Check>,
+    arguments: impl IntoIterator<Item = OsString>,
+) -> ExitCode {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     let invoked = Invoked::new(&arguments);
     let parsed = cli::expand(arguments).and_then(cli::Cli::parse_arguments);
@@ -39,7 +45,7 @@ pub fn run_with(registry: Registry, arguments: impl IntoIterator<Item = OsString
             return ExitCode::from(2);
         }
     };
-    match commands::run(cli, registry, &invoked) {
+    match commands::run(cli, registry, checks, &invoked) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("error: {error}");

@@ -84,6 +84,10 @@ pub struct Run {
     /// is worth a remark: it is throttled, or shared.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub slowed: Option<f64>,
+    /// Mean difference from the other backend's estimate over its mean, if that is more than captures
+    /// explain: one of the two implementations is wrong.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub backends_apart: Option<f64>,
     /// What of memory a frame holds; `None` if nothing ran.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bytes: Option<Bytes>,
@@ -130,6 +134,7 @@ impl Run {
             phases_ms: Phases::default(),
             time_source: TimeSource::WallClock,
             slowed: None,
+            backends_apart: None,
             bytes: None,
             software: false,
             own_model: None,

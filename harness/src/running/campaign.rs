@@ -242,6 +242,7 @@ impl<'a> Campaign<'a> {
             between: references(fewer),
             sampling: self.settings.sampling,
             machine: self.context.machine().id(),
+            last: None,
         };
         self.images
             .truth(&setup.name, quantity, view, here.references.truth())?;
@@ -250,6 +251,9 @@ impl<'a> Campaign<'a> {
             let suffix = self.suffix(&task, &key);
             let (backends, throttle) = (self.plan.backends, &mut self.throttle);
             let outcome = here.perform(&task, backends, throttle, self.images, &suffix)?;
+            if let Some(warning) = outcome.done.warning() {
+                observer.warn(&warning);
+            }
             let entry = Entry {
                 key,
                 at,

@@ -11,6 +11,23 @@ pub enum Warning {
         /// The scene.
         scene: String,
     },
+    /// A method's two implementations do not agree.
+    #[error(
+        "{scene}: {label} estimates {quantity} on the GPU {percent:.1} % away from the CPU, more than \
+         captures explain; `verify --estimator {estimator}` says where they part"
+    )]
+    BackendsApart {
+        /// The scene.
+        scene: String,
+        /// Estimator and fidelity.
+        label: String,
+        /// The estimator.
+        estimator: String,
+        /// What is estimated.
+        quantity: String,
+        /// Mean difference over the mean estimate.
+        percent: f64,
+    },
     /// The CPU runs alone though both backends were asked for.
     #[error("no GPU runs: {0}")]
     NoGpu(GpuError),

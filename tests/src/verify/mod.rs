@@ -54,6 +54,8 @@ enum Kind {
     Convergence,
     /// A law of form factors.
     Law(Law),
+    /// A program's own.
+    Own(fn(&MethodUnderTest<'_>) -> Result<Finding, VerifyError>),
 }
 
 /// What a check came to.
@@ -158,10 +160,21 @@ pub fn checks() -> impl Iterator<Item = Check> {
 }
 
 impl Check {
+    /// A check of a program's own, asked of every method: `find` gives a number that must not be above its
+    /// bound. [`VerifyError::NotComparable`] says that it can't be asked of the method.
+    pub fn own(
+        name: &'static str,
+        about: &'static str,
+        find: fn(&MethodUnderTest<'_>) -> Result<Finding, VerifyError>,
+    ) -> Self {
+        let kind = Kind::Own(find);
+        Self { name, about, kind }
+    }
+
     /// Whether this is how a claim is tried.
     pub fn asks(&self, claim: &Claim) -> bool {
         match &self.kind {
-            Kind::Rule(_) | Kind::Parity(_) => false,
+            Kind::Rule(_) | Kind::Parity(_) | Kind::Own(_) => false,
             Kind::Answer(answer) => answer.asks(claim),
             Kind::Property(property) => property.asks(claim),
             Kind::Convergence => matches!(claim, Claim::Converges { .. }),
@@ -181,6 +194,7 @@ impl Check {
             Kind::Property(property) => property.run(subject),
             Kind::Convergence => converge::run(subject),
             Kind::Law(law) => law.run(subject),
+            Kind::Own(find) => (Asked::Claimed, find(subject).map_err(Nothing::from)),
         };
         judged(&asked, found)
     }

@@ -45,20 +45,48 @@ impl Broken {
     }
 }
 
+impl Broken {
+    /// Takes in what was found in one more world.
+    fn add(&mut self, found: Self, lighting: Lighting) {
+        if self.count == 0 && found.count > 0 {
+            self.first = format!("{lighting:?}: {}", found.first);
+        }
+        self.cases += found.cases;
+        self.count += found.count;
+    }
+}
+
 /// All rules.
 pub(super) fn all() -> Vec<Rule> {
     captures::all().into_iter().chain(points::all()).collect()
 }
 
 impl Rule {
+    /// Tries the rule: where any scene will do, in closed walls, in the light of a lamp and under an open
+    /// sky, as far as the method can work there.
     pub(super) fn run(&self, subject: &MethodUnderTest<'_>) -> Found {
-        let world = world(subject);
-        match self.broken {
-            Where::Scene(_) => {
-                let points = world.placed_points(subject.quantity);
-                self.in_scene(subject, &world.scene(), &points)
+        let broken = match self.broken {
+            Where::Scene(broken) => broken,
+            Where::World(broken) => {
+                return finding(broken(
+                    subject,
+                    world(Lighting::of(subject.model(), subject.quantity)),
+                )?);
             }
-            Where::World(broken) => finding(broken(subject, world)?),
+        };
+        let (mut all, mut reason) = (Broken::default(), None);
+        for lighting in [Lighting::Walls, Lighting::Lamp, Lighting::Sky] {
+            let world = world(lighting);
+            let points = world.placed_points(subject.quantity);
+            match broken(subject, &world.scene(), &points) {
+                Ok(found) => all.add(found, lighting),
+                Err(Nothing::NotApplicable(why)) => reason = Some(why),
+                Err(error) => return Err(error),
+            }
+        }
+        match (all.cases, reason) {
+            (0, Some(why)) => Err(Nothing::NotApplicable(why)),
+            _ => finding(all),
         }
     }
 
@@ -95,9 +123,9 @@ fn finding(broken: Broken) -> Found {
 }
 
 /// A world of unequal walls, with more points than a block of 64, and not a multiple of sixteen.
-fn world(subject: &MethodUnderTest<'_>) -> World {
+fn world(lighting: Lighting) -> World {
     const POINTS: usize = 203;
-    Case::unequal(POINTS).world(Lighting::of(subject.model(), subject.quantity))
+    Case::unequal(POINTS).world(lighting)
 }
 
 fn same_bits(a: Vec3, b: Vec3) -> bool {

@@ -22,6 +22,7 @@ use crate::command_line::invocation::Invoked;
 use crate::running::context::{Context, GpuUse, remarkable};
 use crate::running::settings::Setting;
 use crate::running::warning::Warning;
+use interreflect_conformance::verify::Check;
 use interreflect_estimators::Registry;
 use interreflect_estimators::execution::LoadedScene;
 
@@ -29,7 +30,12 @@ use interreflect_estimators::execution::LoadedScene;
 ///
 /// # Errors
 /// [`CommandError`], one line that says what is wrong and what to do.
-pub(crate) fn run(cli: Cli, registry: Registry, invoked: &Invoked) -> Result<(), CommandError> {
+pub(crate) fn run(
+    cli: Cli,
+    registry: Registry,
+    checks: Vec<Check>,
+    invoked: &Invoked,
+) -> Result<(), CommandError> {
     match cli.command {
         Command::List(command) => list::run(&command, registry),
         Command::Bench(command) => bench::run(&command, registry, invoked),
@@ -44,7 +50,7 @@ pub(crate) fn run(cli: Cli, registry: Registry, invoked: &Invoked) -> Result<(),
         Command::Reference(command) => reference::run(&command, registry, invoked),
         Command::Compare(command) => compare::run(&command),
         Command::Report(command) => report::run(&command),
-        Command::Verify(command) => verify::run(&command, registry),
+        Command::Verify(command) => verify::run(&command, registry, checks),
         Command::Reproduce(command) => reproduce::run(&command, registry, invoked),
     }
 }

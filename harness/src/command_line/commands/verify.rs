@@ -43,11 +43,15 @@ struct Record {
     command: Option<String>,
 }
 
-pub(super) fn run(command: &Verify, registry: Registry) -> Result<(), CommandError> {
+pub(super) fn run(
+    command: &Verify,
+    registry: Registry,
+    own: Vec<Check>,
+) -> Result<(), CommandError> {
     let context = Context::new(registry, &command.run.context())?;
     let ids = estimators(&context, command)?;
     context.check_owners(&ids, &command.settings)?;
-    let chosen = chosen(command)?;
+    let chosen = chosen(command, own)?;
     let mut methods = Vec::new();
     for id in &ids {
         methods.extend(variants(&context, command, id)?);
@@ -92,8 +96,8 @@ fn estimators(context: &Context, command: &Verify) -> Result<Vec<String>, Comman
 }
 
 /// The checks that are asked for.
-fn chosen(command: &Verify) -> Result<Vec<Check>, CommandError> {
-    let all: Vec<Check> = checks().collect();
+fn chosen(command: &Verify, own: Vec<Check>) -> Result<Vec<Check>, CommandError> {
+    let all: Vec<Check> = checks().chain(own).collect();
     for name in &command.checks {
         if !all.iter().any(|check| check.name == name) {
             let names: Vec<&str> = all.iter().map(|check| check.name).collect();

@@ -66,6 +66,8 @@ pub(super) struct Line {
     memory: String,
     /// What the processor did meanwhile, if it is worth a remark.
     slowed: Option<String>,
+    /// How far the backends are apart, if that is more than captures explain.
+    backends_apart: Option<String>,
     truth: Cell,
     own_model: Cell,
     skipped: Option<String>,
@@ -194,6 +196,9 @@ fn line(of: &Numbered<'_>, commands: Option<&Commands<'_>>) -> Line {
         slowed: run
             .slowed
             .map(|by| format!("the processor was {by:.2} times slower than at its best")),
+        backends_apart: run
+            .backends_apart
+            .map(|apart| format!("{:.1} % away from the other backend", 100.0 * apart)),
         truth: cell(run.truth.as_ref(), run.truth_missing.as_deref()),
         own_model: cell(run.own_model.as_ref(), run.own_model_missing.as_deref()),
         skipped: run.skipped.clone(),

@@ -65,6 +65,7 @@ fn run(
         },
         software: backend == Backend::Gpu,
         slowed: None,
+        backends_apart: None,
         bytes: None,
         own_model: (estimator != "mine").then(|| comparison(0.3 * relmse, 0.0, "own model")),
         own_model_missing: (estimator == "mine").then(|| "no deterministic integral".into()),

@@ -4,6 +4,7 @@ use crate::domain::files::FileError;
 use crate::domain::machine::Machine;
 use crate::domain::record::{ErrorBreakdown, Floor, Run};
 use crate::running::error::JournalError;
+use crate::running::warning::Warning;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs::{self, File, OpenOptions, TryLockError};
@@ -21,6 +22,21 @@ pub(crate) enum Done {
     Baseline(Box<Run>),
     Floor(Box<Floor>),
     Split(Box<ErrorBreakdown>),
+}
+
+impl Done {
+    /// What is remarkable about a run.
+    pub(crate) fn warning(&self) -> Option<Warning> {
+        let Self::Run(run) = self else { return None };
+        let apart = run.backends_apart?;
+        Some(Warning::BackendsApart {
+            scene: run.scene.clone(),
+            label: run.label(),
+            estimator: run.estimator.clone(),
+            quantity: run.quantity.clone(),
+            percent: 100.0 * apart,
+        })
+    }
 }
 
 /// A finished task.

@@ -5,13 +5,14 @@ use super::observer::Images;
 use super::plan::Setup;
 use super::tasks::Task;
 use crate::domain::metrics;
-use crate::domain::record::{Backend, Comparison, Floor, Run};
+use crate::domain::record::{Backend, Comparison, Floor, ParamMap, Run};
 use crate::running::clock::{Sampling, Throttle};
 use crate::running::error::RunError;
 use crate::running::run_record;
 use crate::running::stages::{Timed, measure_on};
 use crate::running::truth::References;
 use crate::running::view::View;
+use glam::Vec3;
 use interreflect_cpu::tiles::{Arithmetic, CpuCx};
 use interreflect_estimators::execution::{BackendScene, CpuLoadedScene, LoadedScene};
 use interreflect_estimators::{Configured, EstimatorError, Quantity};
@@ -32,7 +33,21 @@ pub(super) struct SceneQuantity<'a> {
     pub(super) between: References<'a>,
     pub(super) sampling: Sampling,
     pub(super) machine: String,
+    /// The last estimate that has an image, for the other backend's to be compared with.
+    pub(super) last: Option<LastEstimate>,
 }
+
+/// An estimate of one backend.
+pub(super) struct LastEstimate {
+    label: String,
+    params: ParamMap,
+    backend: Backend,
+    estimate: Estimate,
+}
+
+/// Largest mean difference of the backends' estimates over their mean that captures explain: a rasteriser
+/// and rays decide texels on edges of surfaces, shadows and silhouettes otherwise.
+const APART: f64 = 0.05;
 
 /// What a task gave, and whether that is a failure: that a method can't run so is a result.
 pub(super) struct Outcome {
@@ -109,12 +124,33 @@ impl SceneQuantity<'_> {
             truth.flip = self.flip(estimate);
         }
         let mut run = run_record::measured(run, &timed);
+        if image.is_some() {
+            run.backends_apart = self.apart_from_last(&run, estimate);
+        }
         run.slowed = throttle.slowed();
         let shown = image.map_or(Ok(()), |(images, name)| {
             images.estimate(&name, &mut run, self.view, estimate)
         });
         let failure = shown.err().map(|why| why.to_string());
         (run, failure)
+    }
+
+    /// How far a run's estimate is from the other backend's, if the run before was that, and if it is
+    /// more than captures explain.
+    fn apart_from_last(&mut self, run: &Run, estimate: &Estimate) -> Option<f64> {
+        let this = LastEstimate {
+            label: run.label(),
+            params: run.params.clone(),
+            backend: run.backend,
+            estimate: estimate.clone(),
+        };
+        let last = self.last.replace(this)?;
+        let same = (&last.label, &last.params) == (&run.label(), &run.params);
+        if !same || last.backend == run.backend {
+            return None;
+        }
+        let apart = mean_difference(&last.estimate, estimate);
+        (apart > APART).then_some(apart)
     }
 
     fn measured(
@@ -194,6 +230,18 @@ impl SceneQuantity<'_> {
                 (reason, true) => Err(RunError::Usage(reason)),
             },
         }
+    }
+}
+
+/// Mean absolute difference of two estimates over the mean of the first; 0 where both are black.
+fn mean_difference(a: &Estimate, b: &Estimate) -> f64 {
+    let sum = |values: &mut dyn Iterator<Item = Vec3>| -> f64 {
+        values.map(|v| f64::from(v.abs().element_sum())).sum()
+    };
+    let difference = sum(&mut a.iter().zip(b.iter()).map(|(a, b)| a - b));
+    match difference > 0.0 {
+        true => difference / sum(&mut a.iter()),
+        false => 0.0,
     }
 }
 
