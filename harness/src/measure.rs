@@ -199,3 +199,6 @@ impl<'a, S: Stage> Watch<'a, S> {
         Ok(timing)
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -115,3 +115,6 @@ fn baselines(lab: &Lab, quantity: Quantity) -> Result<Vec<Box<dyn Configured>>, 
     }
     Ok(baselines)
 }
+
+#[cfg(test)]
+mod tests;

@@ -141,3 +141,6 @@ pub(crate) fn median(values: impl IntoIterator<Item = f64>) -> Option<f64> {
     }
     Some(0.5 * (values[values.len() / 2 - 1] + upper))
 }
+
+#[cfg(test)]
+mod tests;

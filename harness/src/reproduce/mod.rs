@@ -16,6 +16,8 @@ mod place;
 mod record;
 mod sattler;
 mod shot;
+#[cfg(test)]
+mod synthetic;
 mod szirmay_kalos;
 mod umenhoffer;
 mod verdict;

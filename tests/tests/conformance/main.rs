@@ -12,6 +12,7 @@ mod form_factors;
 mod frames;
 mod ladder;
 mod moved;
+mod neighbours;
 mod openness;
 mod parity;
 mod parity_views;
@@ -42,6 +43,7 @@ fn main() {
         parity::trials(),
         ladder::trials(),
         moved::trials(),
+        neighbours::trials(),
         frames::trials(),
         bounces::trials(),
         errata::trials(),
