@@ -86,7 +86,6 @@ fn a_result_is_taken_for_another_s_only_if_nothing_differs() {
         ("colored-room", "cornell-box"),
         ("irradiance", "glossy_radiance"),
         ("capture_resolution=8", "capture_resolution=16"),
-        ("constant_ambient.capture", "classic_envmap.capture"),
         ("--repeat", "--set constant_ambient.bounces=1 --repeat"),
     ] {
         let before = tasks(out);
@@ -144,10 +143,10 @@ fn files(folder: &Path, ending: &str, found: &mut Vec<PathBuf>) {
 #[test]
 fn failed_runs_end_with_code_1_and_the_rest_is_there() {
     for command in [
-        "bench colored-room --estimator constant_ambient --estimator classic_envmap \
-         --set constant_ambient.capture_resolution=8 --set classic_envmap.capture_resolution=32",
+        "bench colored-room --estimator constant_ambient --estimator path_reference \
+         --set constant_ambient.capture_resolution=8 --set path_reference.samples=4",
         "sweep colored-room --vary constant_ambient.capture_resolution=8 \
-         --vary classic_envmap.capture_resolution=32",
+         --vary path_reference.samples=4",
     ] {
         let folder = TempDir::new().unwrap();
         let out = folder.path();
@@ -160,7 +159,7 @@ fn failed_runs_end_with_code_1_and_the_rest_is_there() {
         let name = |p: &Path| p.file_name().unwrap().to_string_lossy().into_owned();
         let image = images
             .iter()
-            .find(|p| name(p).starts_with("classic_envmap"));
+            .find(|p| name(p).starts_with("path_reference"));
         let image = image.unwrap();
         std::fs::remove_file(image).unwrap();
         std::fs::create_dir(image).unwrap();
