@@ -25,8 +25,8 @@ rm -f "$folder/limits.png" "$folder/PAPER.md"
 for file in "$folder"/*; do
     sed -i -e "s/constant_ambient/$id/g" -e "s/ConstantAmbient/$name/g" "$file"
 done
-# The picture belongs to the other method.
-sed -i -e '/limits\.png/d' "$folder/README.md"
+# The picture belongs to the other method, and so does its caption.
+sed -i -e '/limits\.png/,/^## /{/^## /!d}' "$folder/README.md"
 
 # Two lines outside the folder: the module, in the order of the alphabet as rustfmt has it, and the entry.
 awk -v line="pub mod $id;" '

@@ -35,6 +35,7 @@ SENTENCES = set(
 # Names and words of the JSON that changed between builds: old, new.
 RENAMED = {
     "records": "runs",
+    "conclusive": "above_noise",
 }
 # What an entry of a list is about.
 IDENTITY = "scene quantity estimator fidelity params settings backend check id name".split()

@@ -1,7 +1,8 @@
 #!/bin/sh
 # Installs what a build and the GPU backend need and the machine lacks: a linker for Rust, a C++ compiler
-# and a Vulkan driver; where INTERREFLECT_REQUIRE_BROWSER and INTERREFLECT_REQUIRE_PARALLEL are set, what
-# the tests of the report's page and of sweeps in parts need. Says nothing and changes nothing if all is there.
+# and a Vulkan driver; where INTERREFLECT_REQUIRE_BROWSER, INTERREFLECT_REQUIRE_NODE and
+# INTERREFLECT_REQUIRE_PARALLEL are set, what the tests of the report's page, of its arithmetic and of sweeps
+# in parts need. Says nothing and changes nothing if all is there.
 set -eu
 # shellcheck source=scripts/apt.sh
 . "$(dirname "$0")/apt.sh"
@@ -51,6 +52,10 @@ browser() {
 
 if [ -n "${INTERREFLECT_REQUIRE_BROWSER:-}" ] && ! browser; then
     apt_install "no browser for the test of the report's page" chromium
+fi
+
+if [ -n "${INTERREFLECT_REQUIRE_NODE:-}" ] && ! command -v node >/dev/null 2>&1; then
+    apt_install "no Node.js for the test of the page's arithmetic" nodejs
 fi
 
 if [ -n "${INTERREFLECT_REQUIRE_PARALLEL:-}" ] && ! command -v parallel >/dev/null 2>&1; then

@@ -297,3 +297,6 @@ impl Frame<'_, Gpu> {
         self.inputs.points.bindings(self.out)
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -55,6 +55,12 @@ fn device_ms(
     }
 }
 
+/// Milliseconds of a tick of `period_ns`; `None` where the device has no timestamps.
+fn tick_ms(features: wgpu::Features, period_ns: f32) -> Option<f64> {
+    let needed = wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::TIMESTAMP_QUERY_INSIDE_ENCODERS;
+    (features.contains(needed) && period_ns > 0.0).then(|| f64::from(period_ns) * 1e-6)
+}
+
 /// A start and an end, and where they are resolved to.
 pub(crate) struct Timestamps {
     queries: wgpu::QuerySet,
@@ -77,11 +83,8 @@ const STRIDE: u64 = wgpu::QUERY_RESOLVE_BUFFER_ALIGNMENT;
 
 impl TimestampPool {
     pub(crate) fn new(device: &wgpu::Device, queue: &wgpu::Queue) -> Self {
-        let needed =
-            wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::TIMESTAMP_QUERY_INSIDE_ENCODERS;
-        let tick_ms = f64::from(queue.get_timestamp_period()) * 1e-6;
         Self {
-            tick_ms: (device.features().contains(needed) && tick_ms > 0.0).then_some(tick_ms),
+            tick_ms: tick_ms(device.features(), queue.get_timestamp_period()),
             free: Mutex::default(),
         }
     }
@@ -174,5 +177,22 @@ mod tests {
         assert_eq!(device_ms(100, 100, 0.01, true, 3.0), Err(Mistimed::Still));
         assert_eq!(device_ms(100, 100, 0.01, false, 3.0), Ok(0.0));
         assert_eq!(device_ms(0, 350, 0.01, true, 3.0), Err(Mistimed::TooLong));
+    }
+
+    /// Software drivers count nanoseconds; others, say, 52.08 ns (19.2 MHz) or 10 ns a tick.
+    #[test]
+    fn a_tick_lasts_as_long_as_the_device_says() {
+        let all = wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::TIMESTAMP_QUERY_INSIDE_ENCODERS;
+        for (period_ns, ms_of_a_million) in [(1.0, 1.0), (10.0, 10.0), (52.083_332, 52.083_332)] {
+            let tick = tick_ms(all, period_ns).expect("timestamps");
+            let ms = device_ms(500, 1_000_500, tick, true, 1e3).expect("a time");
+            assert!(
+                (ms - ms_of_a_million).abs() < 1e-6,
+                "{period_ns} ns: {ms} ms"
+            );
+        }
+        assert_eq!(tick_ms(all, 0.0), None);
+        assert_eq!(tick_ms(wgpu::Features::TIMESTAMP_QUERY, 1.0), None);
+        assert_eq!(tick_ms(wgpu::Features::empty(), 1.0), None);
     }
 }

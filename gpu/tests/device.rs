@@ -9,6 +9,8 @@ mod coarse;
 mod compute;
 #[path = "device/errors.rs"]
 mod errors;
+#[path = "device/grid.rs"]
+mod grid;
 #[path = "device/lighting.rs"]
 mod lighting;
 #[path = "device/oracle.rs"]
@@ -36,6 +38,7 @@ fn main() {
         coarse::CASES,
         lighting::CASES,
         compute::CASES,
+        grid::CASES,
         times::CASES,
         errors::CASES,
     ]

@@ -1,8 +1,8 @@
 //! Oracles, invariants and parity checks that every estimator faces.
 //!
 //! [`oracles`] are exact formulas, [`own_model`] evaluates what a method claims to compute by a
-//! deterministic integral, [`tolerance`] says how far two computations may part and why, and
-//! [`statistics`] whether path-traced estimates agree.
+//! deterministic integral, [`statistics`] says whether path-traced estimates agree, and [`verify`] has
+//! every check.
 
 pub mod exchange;
 pub mod oracles;

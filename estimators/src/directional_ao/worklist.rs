@@ -97,4 +97,50 @@ mod tests {
         assert_eq!(worklist.take(6, None), [0, 1, 2, 3, 4, 5]);
         assert!(worklist.take(6, None).is_empty());
     }
+
+    /// After surfaces or points have moved everything that is seen is to do once more, as often as it
+    /// happens; also where all was evaluated before, and where the lists were given up for being short.
+    #[test]
+    fn what_is_seen_after_a_move_is_to_do_again() {
+        let triangles = [[0, 1, 2], [1, 2, 3], [3, 4, 5]];
+        let seen = |visible: &'static [u32]| {
+            Some(VisibleTriangles {
+                triangles: &triangles,
+                visible,
+            })
+        };
+        let mut worklist = Worklist::default();
+        for before in [seen(&[0]), seen(&[0, 1, 2]), None] {
+            worklist.take(6, before);
+            worklist.forget();
+            assert!(worklist.done().is_empty());
+            assert_eq!(worklist.take(6, seen(&[0])), [0, 1, 2]);
+            assert_eq!(worklist.done(), [0, 1, 2]);
+            assert_eq!(worklist.take(6, seen(&[0, 2])), [3, 4, 5]);
+            worklist.forget();
+        }
+        // Other points, and fewer of them.
+        assert_eq!(worklist.take(3, seen(&[0])), [0, 1, 2]);
+    }
+
+    /// Once less than a hundredth of the triangles is unseen, the rest of the points is done at once.
+    #[test]
+    fn few_unseen_triangles_are_done_at_once() {
+        let triangles: Vec<[u32; 3]> = (0..200).map(|t| [t, t + 1, t + 2]).collect();
+        let visible: Vec<u32> = (0..199).collect();
+        let seen = |count: usize| {
+            Some(VisibleTriangles {
+                triangles: &triangles,
+                visible: &visible[..count],
+            })
+        };
+        let mut worklist = Worklist::default();
+        assert_eq!(
+            worklist.take(202, seen(198)).len(),
+            200,
+            "two are unseen: a hundredth"
+        );
+        assert_eq!(worklist.take(202, seen(199)), [200, 201]);
+        assert_eq!(worklist.evaluations, 202);
+    }
 }

@@ -8,6 +8,7 @@ use chromiumoxide::cdp::browser_protocol::emulation::{
 use chromiumoxide::cdp::browser_protocol::input::{
     DispatchMouseEventType, DispatchTouchEventParams, DispatchTouchEventType, TouchPoint,
 };
+use interreflect::output::{NOTHING, STOPS};
 use libtest_mimic::Failed;
 
 const PICTURE: &str = "document.getElementById('v-canvas').toDataURL()";
@@ -177,4 +178,58 @@ pub(crate) fn pinch(tab: &Tab) -> Result<(), Failed> {
     })?;
     tab.wait("document.getElementById('v-canvas').classList.contains('zoomed')")?;
     changes(tab, || tab.press("f"))
+}
+
+/// A pixel of the canvas, red, green and blue, where the middle of a pixel of the image lies.
+fn pixel(tab: &Tab, [column, row]: [usize; 2]) -> Result<[f64; 3], Failed> {
+    let read = tab.text(&format!(
+        "(() => {{ const c = document.getElementById('v-canvas'); \
+         const s = Math.min(c.width / {w}, c.height / {h}); \
+         const at = (i, n, extent) => Math.floor(extent / 2 + s * (i + 0.5 - n / 2)); \
+         const p = c.getContext('2d').getImageData(at({column}, {w}, c.width), at({row}, {h}, c.height), 1, 1); \
+         return JSON.stringify([...p.data.slice(0, 3)]); }})()",
+        w = SIZE.0,
+        h = SIZE.1,
+    ))?;
+    Ok(serde_json::from_str(&read)?)
+}
+
+fn is(found: [f64; 3], expected: [f64; 3]) -> Result<(), Failed> {
+    // Bytes, rounded.
+    let apart = found.iter().zip(expected).map(|(a, b)| (a - b).abs());
+    match apart.fold(0.0, f64::max) <= 1.0 {
+        true => Ok(()),
+        false => Err(format!("a pixel is {found:?}, not {expected:?}").into()),
+    }
+}
+
+/// Column 8, row 4 of the third run is 1.25 times (8/16, 4/16, ¼), column 23 the brightest of the truth, which
+/// shows as 0.9 of white. A step of the keys is half a stop. Errors: a quarter of the truth's.
+pub(crate) fn pixels(tab: &Tab) -> Result<(), Failed> {
+    tab.click(".mark[href='#run-3']")?;
+    shows(tab, "texels, cpu, resolution=8")?;
+    let shown = |stops: f64| {
+        let exposure = 0.9 / (23.0 / 16.0) * stops.exp2();
+        [0.625, 0.3125, 0.3125].map(|linear: f64| {
+            let v = (linear * exposure).min(1.0);
+            255.0 * (1.055 * v.powf(1.0 / 2.4) - 0.055)
+        })
+    };
+    is(pixel(tab, [8, 4])?, shown(0.0))?;
+    changes(tab, || tab.press("="))?;
+    is(pixel(tab, [8, 4])?, shown(0.5))?;
+    changes(tab, || tab.press("-"))?;
+    changes(tab, || tab.press("-"))?;
+    is(pixel(tab, [8, 4])?, shown(-0.5))?;
+    // Half as bright as the truth: too dark by half of the mean of (½, ¼, ¼), of a range of 1.
+    tab.click(".mark[href='#run-1']")?;
+    shows(tab, "ambient")?;
+    changes(tab, || tab.click("input[name=v-show][value=signed]"))?;
+    let place: f64 = (1.0 - 1.0 / 6.0) * 0.5 * 4.0;
+    let (lower, t) = (place as usize, place - place.floor());
+    let [a, b] = [STOPS[lower], STOPS[lower + 1]].map(|c| c.map(f64::from));
+    let colour = [0, 1, 2].map(|c| a[c] + t * (b[c] - a[c]));
+    is(pixel(tab, [8, 4])?, colour)?;
+    let [r, g, b, _] = NOTHING.0.map(f64::from);
+    is(pixel(tab, [0, 0])?, [r, g, b])
 }

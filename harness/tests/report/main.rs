@@ -13,7 +13,7 @@ use libtest_mimic::{Arguments, Trial};
 use std::process::ExitCode;
 
 /// What is tried, each in a tab of its own.
-const CHECKS: [(&str, browser::Check); 10] = [
+const CHECKS: [(&str, browser::Check); 11] = [
     ("the_exposure_slider_changes_the_image", checks::exposure),
     ("the_split_moves_by_slider_and_by_pointer", checks::split),
     ("a_point_of_the_plot_opens_its_image", checks::plot_point),
@@ -27,6 +27,7 @@ const CHECKS: [(&str, browser::Check); 10] = [
     ("dark_mode_has_other_colours", checks::dark),
     ("a_phone_scrolls_in_one_direction_only", checks::phone),
     ("two_fingers_magnify", checks::pinch),
+    ("pixels_are_exposed_and_errors_coloured", checks::pixels),
 ];
 
 fn main() -> ExitCode {

@@ -13,6 +13,7 @@ mod form_factors;
 mod frames;
 mod leaf_parity;
 mod moved;
+mod neighbours;
 mod openness;
 mod parity;
 mod parity_views;
@@ -47,6 +48,7 @@ fn main() {
         parity::trials(),
         precision_parity::trials(),
         moved::trials(),
+        neighbours::trials(),
         frames::trials(),
         bounces::trials(),
         errata::trials(),

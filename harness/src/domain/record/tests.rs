@@ -49,6 +49,7 @@ fn run() -> Run {
         },
         time_source: TimeSource::GpuTimestamps,
         software: true,
+        backends_apart: None,
         slowed: Some(1.3),
         bytes: Some(Bytes {
             captures: 6,

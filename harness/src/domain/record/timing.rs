@@ -131,3 +131,6 @@ impl Timing {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

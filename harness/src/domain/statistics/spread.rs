@@ -42,3 +42,6 @@ pub(crate) fn quantum(times_ms: &[f64]) -> Option<f64> {
     let coarse = sorted.len() > 2 && equal.len() * 4 >= sorted.len();
     (coarse && step > FINE * middle).then_some(step)
 }
+
+#[cfg(test)]
+mod tests;

@@ -26,3 +26,6 @@ pub(crate) fn drift(times: &[f64]) -> Option<f64> {
     let slope = median(pairs().map(|(i, j)| (times[j] - times[i]) / (j - i) as f64))?;
     Some(slope * (count - 1.0) / median(times.iter().copied())?)
 }
+
+#[cfg(test)]
+mod tests;

@@ -65,28 +65,39 @@ mod tests {
         bytes
     }
 
+    /// The bits of halves as IEEE 754 has them: sign, five bits of exponent, ten of fraction.
     #[test]
-    fn pixels_can_be_had_back() {
-        let mut image = HdrImage::new(3, 1);
-        image.set(0, 0, Vec3::new(0.5, 2.0, -1.0));
-        image.set(1, 0, Vec3::new(1e9, 0.0, f32::INFINITY));
+    fn pixels_are_the_halves_of_the_standard() {
+        let values = [0.5, 2.0, -1.0, 0.0, 1e9, -1e9, -0.25, 65504.0];
+        let bits = [
+            0x3800, 0x4000, 0xbc00, 0x0000, 0x7bff, 0xfbff, 0xb400, 0x7bff,
+        ];
+        let odd = [f32::INFINITY, f32::NEG_INFINITY, 6e-8, 1.0 / 3.0];
+        let odd_bits = [0x7c00, 0xfc00, 0x0001, 0x3555];
+        let expected: Vec<(f32, u16)> = (values.into_iter().zip(bits))
+            .chain(odd.into_iter().zip(odd_bits))
+            .collect();
+        // A channel of its own for each shift of the list.
+        let count = expected.len();
+        let mut image = HdrImage::new(count, 1);
+        for x in 0..count {
+            let at = |shift: usize| expected[(x + shift) % count].0;
+            image.set(x, 0, Vec3::new(at(0), at(5), at(7)));
+        }
         let bytes = inflated(&packed(&image));
-        assert_eq!(bytes.len(), 18);
-        for channel in 0..3 {
-            let plane = &bytes[6 * channel..];
-            let mut bits = 0_u16;
-            for x in 0..3 {
-                let difference = u16::from(plane[x]) << 8 | u16::from(plane[3 + x]);
-                bits = bits.wrapping_add(difference);
-                let expected = half(image.pixels[x][channel]);
-                assert_eq!(
-                    f16::from_bits(bits),
-                    expected,
-                    "channel {channel}, pixel {x}"
-                );
+        assert_eq!(bytes.len(), 6 * count);
+        for (channel, shift) in [0, 5, 7].into_iter().enumerate() {
+            let plane = &bytes[2 * count * channel..];
+            let mut sum = 0_u16;
+            for x in 0..count {
+                let difference = u16::from_be_bytes([plane[x], plane[count + x]]);
+                sum = sum.wrapping_add(difference);
+                let (value, bits) = expected[(x + shift) % count];
+                assert_eq!(sum, bits, "channel {channel}, pixel {x}: {value}");
             }
         }
-        assert_eq!(half(1e9).to_f32(), 65504.0);
-        assert_eq!(inflated(&packed_mask(&[true, false])), [1, 0]);
+        assert!(half(f32::NAN).is_nan());
+        let mask = [true, false, false, true];
+        assert_eq!(inflated(&packed_mask(&mask)), [1, 0, 0, 1]);
     }
 }

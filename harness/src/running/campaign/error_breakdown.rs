@@ -195,3 +195,6 @@ fn surfaces<'a>(points: &'a Points, values: &'a Estimate) -> impl Iterator<Item 
     let at = (0..values.len()).filter(|&i| points.get(i).is_some());
     at.map(|i| values.get(i).as_dvec3())
 }
+
+#[cfg(test)]
+mod tests;

@@ -164,10 +164,7 @@ impl SceneQuantity<'_> {
     }
 
     fn flip(&mut self, estimate: &Estimate) -> Option<f64> {
-        let truth = self.view.image(&self.references.truth().values);
-        let surfaces = self.view.surfaces();
-        let flip = metrics::flip(&self.view.image(estimate), &truth, |i| surfaces[i]);
-        flip.map(|f| f.mean)
+        flip_of(self.view, estimate, &self.references.truth().values)
     }
 
     fn record(&self, method: &dyn Configured, backend: Backend) -> Run {
@@ -245,6 +242,14 @@ fn mean_difference(a: &Estimate, b: &Estimate) -> f64 {
     }
 }
 
+/// Mean FLIP of an estimate's image against the truth's, over the pixels that show a surface.
+fn flip_of(view: &View, estimate: &Estimate, truth: &Estimate) -> Option<f64> {
+    let surfaces = view.surfaces();
+    let images = [estimate, truth].map(|e| view.image(e));
+    let flip = metrics::flip(&images[0], &images[1], |i| surfaces[i]);
+    flip.map(|f| f.mean)
+}
+
 /// Name of the file of an estimate's image, with what tells it from others of its method.
 fn image_name(method: &dyn Configured, backend: Backend, suffix: &str) -> String {
     let fidelity = method.fidelity().map_or(String::new(), |f| format!("-{f}"));
@@ -269,3 +274,6 @@ fn either(result: Result<Comparison, RunError>) -> (Option<Comparison>, Option<S
         Err(why) => (None, Some(why.to_string())),
     }
 }
+
+#[cfg(test)]
+mod tests;

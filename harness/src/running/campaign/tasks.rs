@@ -115,3 +115,6 @@ fn baselines(context: &Context, quantity: Quantity) -> Result<Vec<Box<dyn Config
     }
     Ok(baselines)
 }
+
+#[cfg(test)]
+mod tests;

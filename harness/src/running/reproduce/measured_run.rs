@@ -59,3 +59,51 @@ pub(super) fn amount(timing: Timing) -> Amount {
 pub(super) fn amount_of(times_ms: &[f64]) -> Amount {
     Timing::of(times_ms).map_or(Amount::exact(f64::NAN), amount)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::domain::record::{Backend, Phases};
+
+    /// The median absolute deviation of normal times is 0.6745 of their standard deviation.
+    #[test]
+    fn times_may_be_off_by_two_deviations_and_single_ones_by_three_tenths() {
+        let many = amount_of(&[9.0, 10.0, 12.0]);
+        assert_eq!(many.value, 10.0);
+        assert!((many.spread - 2.0 / 0.6745).abs() < 1e-3, "{}", many.spread);
+        let single = amount_of(&[10.0]);
+        assert!((single.spread - 3.0).abs() < 1e-12);
+        assert!(amount_of(&[]).value.is_nan());
+    }
+
+    #[test]
+    fn a_frame_is_captured_prepared_and_shaded() {
+        let timing = |ms| Timing::of(&[ms]);
+        let phases_ms = Phases {
+            solve: timing(1000.0),
+            capture: timing(100.0),
+            compile: timing(2000.0),
+            prepare: timing(20.0),
+            shade: timing(3.0),
+            readback: timing(4000.0),
+        };
+        let measured = MeasuredRun {
+            estimate: Estimate::new(0),
+            run: Run {
+                phases_ms,
+                ..Run::new("", "", Backend::Cpu, "")
+            },
+        };
+        let [frame, prepare, shade] = [
+            measured.frame_ms(),
+            measured.prepare_ms(),
+            measured.shade_ms(),
+        ];
+        assert_eq!(
+            (frame.value, prepare.value, shade.value),
+            (123.0, 20.0, 3.0)
+        );
+        let spread = 0.3 * (100.0_f64.powi(2) + 20.0_f64.powi(2) + 3.0_f64.powi(2)).sqrt();
+        assert!((frame.spread - spread).abs() < 1e-9);
+    }
+}

@@ -14,6 +14,8 @@ mod kautz;
 mod measured_run;
 mod pictures;
 mod sattler;
+#[cfg(test)]
+mod synthetic;
 mod szirmay_kalos;
 mod umenhoffer;
 mod verdict;

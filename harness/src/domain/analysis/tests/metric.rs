@@ -45,3 +45,14 @@ fn errors_inside_their_noise_are_alike() {
     assert!(bound(0.1).alike(bound(0.9)));
     assert!(bound(0.1).surely_less(error(0.9, 0.0)));
 }
+
+/// FLIP goes with the 0.35th power of relMSE: a sixteenth of noise in that is .379 of it.
+#[test]
+fn flip_has_its_share_of_the_noise() {
+    let mut run = run("a", 1.0, 0.5);
+    let truth = run.truth.as_mut().unwrap();
+    (truth.relmse, truth.noise_floor) = (Some(0.16), Some(0.01));
+    truth.flip = Some(0.03);
+    let flip = Metric::Flip.value(&run).unwrap();
+    assert!((flip.noise / 0.03 - 0.378_929).abs() < 1e-5, "{flip:?}");
+}

@@ -34,12 +34,8 @@ pub(super) fn cornell_box(context: &ExperimentContext<'_>) -> Result<Finding, Ru
         let references = context.precise(&room, Quantity::Irradiance, &points);
         let case = format!("{lamp} light");
         for light in compare(context, &room, (&case, &view, references), &mut finding)? {
-            enough(&case, &light, &mut finding);
-            let what = format!("{case}: a half below the correlation of colours");
-            let alike = Amount::exact(ALIKE);
-            finding
-                .trials
-                .push(Trial::less(what, light.backend, alike, light.alike));
+            finding.trials.push(enough(&case, &light));
+            finding.trials.push(bleeds(&case, &light));
         }
     }
     Ok(finding)
@@ -52,18 +48,39 @@ pub(super) fn cave(context: &ExperimentContext<'_>) -> Result<Finding, RunError>
     let points = view.points(Quantity::Irradiance.layout());
     let references = context.references(&room, Quantity::Irradiance, &points);
     for light in compare(context, &room, ("cave", &view, references), &mut finding)? {
-        enough("cave", &light, &mut finding);
+        finding.trials.push(enough("cave", &light));
     }
     Ok(finding)
 }
 
 /// That most of the truth's light arrives.
-fn enough(case: &str, light: &Published, finding: &mut Finding) {
+fn enough(case: &str, light: &Published) -> Trial {
     let what = format!("{case}: a half below the share of the truth's light");
-    let least = Amount::exact(ENOUGH);
-    finding
-        .trials
-        .push(Trial::less(what, light.backend, least, light.energy));
+    Trial::less(what, light.backend, Amount::exact(ENOUGH), light.energy)
+}
+
+/// That its colours are the truth's.
+fn bleeds(case: &str, light: &Published) -> Trial {
+    let what = format!("{case}: a half below the correlation of colours");
+    Trial::less(what, light.backend, Amount::exact(ALIKE), light.alike)
+}
+
+/// That an estimate is nearer to the truth than no indirect light and, up to a factor on its brightness, than
+/// uniform ambient light.
+fn nearer(
+    judge: &Judge<'_>,
+    (case, backend): (&str, Backend),
+    estimate: &Estimate,
+    ambient: &Estimate,
+) -> [Trial; 2] {
+    let none = Estimate::new(estimate.len());
+    let bright = scaled(estimate, judge.factor(estimate));
+    let than_none = format!("{case}: nearer than direct light alone");
+    let than_ambient = format!("{case}: nearer than uniform ambient light");
+    [
+        judge.nearer(than_none, backend, estimate, &none),
+        judge.nearer(than_ambient, backend, &bright, ambient),
+    ]
 }
 
 /// Light of the published map on a backend.
@@ -120,14 +137,8 @@ pub(super) fn compare(
                 alone.add(fidelity, view.image(&reflected(&materials, estimate)));
             }
             if fidelity == "published" {
-                let what = format!("{case}: nearer than direct light alone");
-                let none = Estimate::new(points.len());
-                let trial = judge.nearer(what, backend, estimate, &none);
-                finding.trials.push(trial);
-                let what = format!("{case}: nearer than uniform ambient light");
-                let bright = scaled(estimate, judge.factor(estimate));
-                let trial = judge.nearer(what, backend, &bright, &ambient);
-                finding.trials.push(trial);
+                let trials = nearer(&judge, (case, backend), estimate, &ambient);
+                finding.trials.extend(trials);
                 published.push(Published {
                     backend,
                     energy,
@@ -194,7 +205,63 @@ fn correlation(a: &Estimate, b: &Estimate) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use super::super::super::synthetic::{exact, of, signs};
     use super::*;
+    use interreflect_scene::Point;
+
+    #[test]
+    fn light_has_to_beat_none_and_ambient_and_to_arrive_in_its_colours() {
+        let truth = of(&[1.0, 2.0, 3.0, 2.0]);
+        let (judge, ambient) = (exact(&truth), of(&[2.0; 4]));
+        let judged =
+            |estimate: &Estimate| signs(&nearer(&judge, ("", Backend::Cpu), estimate, &ambient));
+        // Half as bright but of the right shape; then so bright that nothing would be nearer; then upside down.
+        assert_eq!(judged(&of(&[0.5, 1.0, 1.5, 1.0])), "++");
+        assert_eq!(judged(&of(&[9.0, 18.0, 27.0, 18.0])), "-+");
+        assert_eq!(judged(&of(&[3.0, 2.0, 1.0, 2.0])), "+-");
+        let light = |energy, alike| Published {
+            backend: Backend::Gpu,
+            energy: Amount::exact(energy),
+            alike: Amount::exact(alike),
+        };
+        let both = |light: &Published| signs([&enough("", light), &bleeds("", light)]);
+        assert_eq!(both(&light(0.51, 0.49)), "+-");
+        assert_eq!(both(&light(0.49, 0.51)), "-+");
+    }
+
+    #[test]
+    fn ambient_light_is_the_mean_and_diffuse_surfaces_reflect_by_pi() {
+        let at = |albedo| {
+            Some(Point {
+                normal: Vec3::Y,
+                material: interreflect_scene::SurfaceMaterial {
+                    diffuse: Vec3::splat(albedo),
+                    ..Default::default()
+                },
+                ..Point::default()
+            })
+        };
+        let points = Points::new(PointLayout::Material, [at(0.5), None, at(0.25)]);
+        let mean = uniform(&of(&[1.0, 7.0, 3.0]), &points);
+        let found: Vec<f32> = mean.iter().map(|v| v.y).collect();
+        assert_eq!(found, [2.0, 0.0, 2.0]);
+        let pi = std::f32::consts::PI;
+        let lit = reflected(&points, &of(&[pi, pi, 4.0 * pi]));
+        for (found, expected) in lit.iter().zip([0.5, 0.0, 1.0]) {
+            assert!((found.x - expected).abs() < 1e-6, "{found}");
+        }
+        assert_eq!(sum(&of(&[1.0, 2.0])), DVec3::splat(3.0));
+    }
+
+    #[test]
+    fn opposite_colours_correlate_negatively() {
+        let (mut a, mut b) = (Estimate::new(3), Estimate::new(3));
+        for (i, share) in [0.2_f32, 0.5, 0.8].into_iter().enumerate() {
+            a.set(i, Vec3::new(share, 1.0 - share, 0.0));
+            b.set(i, Vec3::new(1.0 - share, share, 0.0));
+        }
+        assert!((correlation(&a, &b) + 1.0).abs() < 1e-6);
+    }
 
     #[test]
     fn colours_correlate_whatever_their_brightness() {

@@ -7,6 +7,7 @@ use super::super::judge::{ERROR, Judge};
 use super::super::pictures::Row;
 use super::super::verdict::{Amount, Trial};
 use super::bleeding::reflected;
+use crate::domain::record::Backend;
 use crate::running::error::RunError;
 use glam::Vec3;
 use interreflect_estimators::Quantity;
@@ -70,18 +71,10 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
                 "",
             );
             if fidelity == "published" {
-                let what = "with the mirror nearer than with a black one";
+                let estimates = [&with.estimate, &dark.estimate];
                 finding
                     .trials
-                    .push(judge.nearer(what, backend, &with.estimate, &dark.estimate));
-                let what = "a half below the share of mirrored light";
-                finding
-                    .trials
-                    .push(Trial::less_by(what, backend, (0.5, share), 0.0));
-                let what = "share of mirrored light below two";
-                finding
-                    .trials
-                    .push(Trial::less_by(what, backend, (share, 2.0), 0.0));
+                    .extend(judged(&judge, backend, estimates, share));
             }
             if backend == context.backends()[0] {
                 row.add(format!("{fidelity}, 5×5"), shown(&with.estimate));
@@ -92,6 +85,23 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
     }
     finding.pictures.push(row);
     Ok(finding)
+}
+
+/// That the map with the mirror is nearer than with a black one, and brings between half and twice the light.
+fn judged(
+    judge: &Judge<'_>,
+    backend: Backend,
+    [with, dark]: [&Estimate; 2],
+    share: f64,
+) -> [Trial; 3] {
+    let nearer = "with the mirror nearer than with a black one";
+    let least = "a half below the share of mirrored light";
+    let most = "share of mirrored light below two";
+    [
+        judge.nearer(nearer, backend, with, dark),
+        Trial::less_by(least, backend, (0.5, share), 0.0),
+        Trial::less_by(most, backend, (share, 2.0), 0.0),
+    ]
 }
 
 /// The scene with its spot lights turned to the mirror.
@@ -108,4 +118,28 @@ fn turned(mut scene: Scene) -> Scene {
 
 fn total(estimate: &Estimate) -> f64 {
     estimate.iter().map(|v| f64::from(v.element_sum())).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::synthetic::{exact, flat, signs};
+    use super::*;
+
+    #[test]
+    fn a_mirror_has_to_bring_its_light_and_not_more() {
+        let reference = flat(1.0);
+        let judge = exact(&reference);
+        let judged = |with, dark, share| {
+            signs(&judged(
+                &judge,
+                Backend::Cpu,
+                [&flat(with), &flat(dark)],
+                share,
+            ))
+        };
+        assert_eq!(judged(0.9, 0.5, 1.0), "+++");
+        assert_eq!(judged(0.5, 0.9, 0.4), "--+");
+        assert_eq!(judged(0.9, 0.5, 2.1), "++-");
+        assert_eq!(total(&flat(0.5)), 6.0);
+    }
 }

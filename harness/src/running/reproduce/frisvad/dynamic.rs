@@ -13,7 +13,7 @@ use crate::running::view::View;
 use glam::Vec3;
 use interreflect_estimators::Quantity;
 use interreflect_scene::motion::Moves;
-use interreflect_scene::{Camera, Light, PointLayout, Scene, SpotShape};
+use interreflect_scene::{Camera, Estimate, Light, PointLayout, Scene, SpotShape};
 
 /// Largest difference over the mean that passes for the same estimate.
 const SAME: f64 = 1e-3;
@@ -66,12 +66,7 @@ fn frames(
             quantity,
             seen,
         )?;
-        let pairs = || on.estimate.iter().zip(anew.estimate.iter());
-        let difference = pairs()
-            .map(|(a, b)| (a - b).abs().max_element())
-            .fold(0.0, f32::max);
-        let mean = pairs().map(|(_, b)| b.element_sum()).sum::<f32>() / (3 * points.len()) as f32;
-        worst = worst.max(f64::from(difference / mean));
+        worst = worst.max(difference(&on.estimate, &anew.estimate));
         if index > 0 {
             times.push(on.ms);
         }
@@ -98,15 +93,28 @@ fn frames(
     );
     let unit = ("ms", context.software(backend));
     finding.time(("sequence", "frame"), backend, amount_of(&times), unit);
-    let what = "sequence: largest difference from a new session, over the mean";
-    finding
-        .trials
-        .push(Trial::less_by(what, backend, (worst, SAME), 0.0));
+    finding.trials.push(same(backend, worst));
     finding.pictures.push(row);
     Ok(())
 }
 
-fn shown(view: &View, irradiance: &interreflect_scene::Estimate) -> crate::domain::image::HdrImage {
+/// The largest difference of two estimates over the mean of the second.
+fn difference(a: &Estimate, b: &Estimate) -> f64 {
+    let pairs = || a.iter().zip(b.iter());
+    let difference = pairs()
+        .map(|(a, b)| (a - b).abs().max_element())
+        .fold(0.0, f32::max);
+    let mean = pairs().map(|(_, b)| b.element_sum()).sum::<f32>() / (3 * b.len()) as f32;
+    f64::from(difference / mean)
+}
+
+/// That a session which goes on estimates what a new one does.
+fn same(backend: Backend, worst: f64) -> Trial {
+    let what = "sequence: largest difference from a new session, over the mean";
+    Trial::less_by(what, backend, (worst, SAME), 0.0)
+}
+
+fn shown(view: &View, irradiance: &Estimate) -> crate::domain::image::HdrImage {
     let materials = view.points(PointLayout::Material);
     view.lit(&bleeding::reflected(&materials, irradiance))
 }
@@ -156,4 +164,41 @@ fn moved(scene: &Scene, t: f32) -> Scene {
         (*direction, *up) = (turn * *direction, turn * *up);
     }
     scene
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::synthetic::{of, signs};
+    use super::*;
+
+    #[test]
+    fn a_session_that_goes_on_differs_by_less_than_a_thousandth() {
+        let signs = |worst| signs([&same(Backend::Cpu, worst)]);
+        assert_eq!((signs(0.9e-3), signs(1.1e-3)), ("+".into(), "-".into()));
+        let (a, b) = (of(&[1.0, 2.0, 3.0]), of(&[1.0, 2.5, 2.5]));
+        assert!((difference(&a, &b) - 0.25).abs() < 1e-6);
+    }
+
+    /// From 75° to −75° about +y: +x turns to −z at first.
+    #[test]
+    fn the_light_turns_by_150_degrees() {
+        let mut scene = interreflect_scene::open(&interreflect_scene::SceneRequest::new("cave"))
+            .expect("a built-in scene");
+        scene.lights = vec![Light::Spot {
+            position: Vec3::ZERO,
+            direction: Vec3::X,
+            up: Vec3::Y,
+            shape: SpotShape::Square,
+            angle_deg: 90.0,
+            intensity: Vec3::ONE,
+        }];
+        let towards = |t: f32| match moved(&scene, t).lights[0] {
+            Light::Spot { direction, .. } => direction,
+            _ => Vec3::ZERO,
+        };
+        let (sin, cos) = 75_f32.to_radians().sin_cos();
+        assert!(towards(0.0).distance(Vec3::new(cos, 0.0, -sin)) < 1e-6);
+        assert!(towards(0.5).distance(Vec3::X) < 1e-6);
+        assert!(towards(1.0).distance(Vec3::new(cos, 0.0, sin)) < 1e-6);
+    }
 }

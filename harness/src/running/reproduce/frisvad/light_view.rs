@@ -6,6 +6,7 @@ use super::super::finding::Finding;
 use super::super::pictures::Row;
 use super::super::verdict::{Amount, Trial};
 use crate::domain::image::HdrImage;
+use crate::domain::record::Backend;
 use crate::running::error::RunError;
 use crate::running::stages::light_views;
 use glam::{DVec3, Vec3};
@@ -39,20 +40,25 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
             ] {
                 finding.measure((scene, name), backend, Amount::exact(value), "");
             }
-            let what = format!("{scene}: share of photons elsewhere");
             finding
                 .trials
-                .push(Trial::less_by(what, backend, (elsewhere, FEW), 0.0));
-            let what = format!("{scene}: rms error of radiance over mean");
-            finding
-                .trials
-                .push(Trial::less_by(what, backend, (error, FEW), 0.0));
+                .extend(judged(scene, backend, [elsewhere, error]));
             finding
                 .pictures
                 .extend(rows(&view, &format!("{scene}, {backend}")));
         }
     }
     Ok(finding)
+}
+
+/// That photons lie where rays meet a surface, and hold the light that is reflected there.
+fn judged(scene: &str, backend: Backend, [elsewhere, error]: [f64; 2]) -> [Trial; 2] {
+    let place = format!("{scene}: share of photons elsewhere");
+    let radiance = format!("{scene}: rms error of radiance over mean");
+    [
+        Trial::less_by(place, backend, (elsewhere, FEW), 0.0),
+        Trial::less_by(radiance, backend, (error, FEW), 0.0),
+    ]
 }
 
 /// Photons that no mirror brought, the share of them that a ray does not find, and the rms error of
@@ -135,4 +141,18 @@ fn rows(view: &LightViewImage, case: &str) -> Vec<Row> {
         row
     };
     there.map(row).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::synthetic::signs;
+    use super::*;
+
+    #[test]
+    fn one_in_a_hundred_may_be_wrong() {
+        let judged = |found| signs(&judged("", Backend::Cpu, found));
+        assert_eq!(judged([0.009, 0.011]), "+-");
+        assert_eq!(judged([0.011, 0.009]), "-+");
+        assert_eq!(OFF, 1e-3);
+    }
 }

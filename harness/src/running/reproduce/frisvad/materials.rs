@@ -5,9 +5,12 @@ use super::super::experiment_scene::ExperimentScene;
 use super::super::finding::Finding;
 use super::super::judge::{ERROR, Judge};
 use super::super::pictures::Row;
+use super::super::verdict::Trial;
+use crate::domain::record::Backend;
 use crate::running::error::RunError;
 use glam::Vec3;
 use interreflect_estimators::Quantity;
+use interreflect_scene::Estimate;
 
 /// Share of a wall's albedo that becomes specular.
 const GLOSSY: f32 = 0.6;
@@ -61,12 +64,42 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
                 estimates.push(measured.estimate);
                 finding.runs.push(measured.run);
             }
-            let what = format!("{fidelity}: whole material nearer than Lambert's law");
-            finding
-                .trials
-                .push(judge.nearer(what, backend, &estimates[1], &estimates[0]));
+            if let [lambert, whole] = &estimates[..] {
+                let trial = gained(&judge, (fidelity, backend), [lambert, whole]);
+                finding.trials.push(trial);
+            }
         }
     }
     finding.pictures.push(row);
     Ok(finding)
+}
+
+/// That the whole material's estimate is nearer to the truth than Lambert's law's.
+fn gained(
+    judge: &Judge<'_>,
+    (fidelity, backend): (&str, Backend),
+    [lambert, whole]: [&Estimate; 2],
+) -> Trial {
+    let what = format!("{fidelity}: whole material nearer than Lambert's law");
+    judge.nearer(what, backend, whole, lambert)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::synthetic::{exact, flat, signs};
+    use super::*;
+
+    #[test]
+    fn the_whole_material_has_to_be_the_nearer_one() {
+        let reference = flat(1.0);
+        let judge = exact(&reference);
+        let judged = |lambert, whole| {
+            let pair = [&flat(lambert), &flat(whole)];
+            signs([&gained(&judge, ("", Backend::Cpu), pair)])
+        };
+        assert_eq!(
+            (judged(0.5, 0.9), judged(0.9, 0.5)),
+            ("+".into(), "-".into())
+        );
+    }
 }

@@ -5,7 +5,7 @@ use super::super::experiment_scene::ExperimentScene;
 use super::super::finding::Finding;
 use super::super::judge::{Judge, scaled};
 use super::super::pictures::Row;
-use super::super::verdict::Amount;
+use super::super::verdict::{Amount, Trial};
 use super::bleeding::reflected;
 use crate::domain::image::HdrImage;
 use crate::domain::record::Backend;
@@ -69,14 +69,19 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
                 row.add(*name, image);
             }
         }
-        for (b, a, what) in [(1, 0, "(b) nearer than (a)"), (2, 1, "(c) nearer than (b)")] {
-            finding
-                .trials
-                .push(judge.nearer(what, backend, &pictures[b], &pictures[a]));
-        }
+        finding.trials.extend(steps(&judge, backend, &pictures));
     }
     finding.pictures.push(row);
     Ok(finding)
+}
+
+/// That each of the figure's pictures is nearer to the reference than the one before.
+fn steps(judge: &Judge<'_>, backend: Backend, pictures: &[Estimate]) -> Vec<Trial> {
+    let names = ["(b) nearer than (a)", "(c) nearer than (b)"];
+    let pairs = pictures.windows(2).zip(names);
+    let nearer =
+        |(pair, what): (&[Estimate], &str)| judge.nearer(what, backend, &pair[1], &pair[0]);
+    pairs.map(nearer).collect()
 }
 
 fn look(
@@ -109,4 +114,20 @@ fn shoot(
 
 fn lit(view: &View, irradiance: &Estimate) -> HdrImage {
     view.lit(&reflected(&view.points(PointLayout::Material), irradiance))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::synthetic::{exact, flat, signs};
+    use super::*;
+
+    #[test]
+    fn each_picture_has_to_be_nearer_than_the_one_before() {
+        let reference = flat(1.0);
+        let judge = exact(&reference);
+        let judged = |values: [f32; 3]| signs(&steps(&judge, Backend::Cpu, &values.map(flat)));
+        assert_eq!(judged([0.0, 0.5, 0.9]), "++");
+        assert_eq!(judged([0.9, 0.5, 0.0]), "--");
+        assert_eq!(judged([0.0, 0.9, 0.5]), "+-");
+    }
 }

@@ -124,3 +124,30 @@ fn judge(backend: Backend, columns: &[Column], finding: &mut Finding) {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::synthetic::{about, signs};
+    use super::*;
+
+    #[test]
+    fn frames_take_longer_by_samples_and_triangles_and_less_than_a_second() {
+        let judged = |few: [f64; 4], many: [f64; 4]| {
+            let mut finding = Finding::default();
+            let column = |name: &str, triangles, ms: [f64; 4]| {
+                (name.to_owned(), triangles, ms.map(about).to_vec())
+            };
+            let columns = [column("many", 900, many), column("few", 9, few)];
+            judge(Backend::Cpu, &columns, &mut finding);
+            assert_eq!(finding.measured[0].value, 900.0);
+            signs(&finding.trials)
+        };
+        let (few, many) = ([100.0, 200.0, 300.0, 400.0], [500.0, 600.0, 700.0, 800.0]);
+        assert_eq!(judged(few, many), "++++++++");
+        let (few, many) = (
+            [5000.0, 4000.0, 3000.0, 2000.0],
+            [1000.0, 900.0, 800.0, 700.0],
+        );
+        assert_eq!(judged(few, many), "-+------");
+    }
+}

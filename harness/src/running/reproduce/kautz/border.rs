@@ -6,6 +6,7 @@ use super::super::finding::Finding;
 use super::super::pictures::Row;
 use super::super::verdict::{Amount, Trial};
 use super::environments::environments;
+use crate::domain::record::Backend;
 use crate::running::error::RunError;
 use glam::Vec3;
 use interreflect_estimators::Quantity;
@@ -65,17 +66,22 @@ fn steps(
             ] {
                 finding.measure((&*case, label), backend, Amount::exact(value), "");
             }
-            let what = format!("{case}: {SEEN} steps inside faces below a step across edges");
             finding
                 .trials
-                .push(Trial::less_by(what, backend, (SEEN * face, seam), 0.0));
-            let what = format!("{case}: step across edges below {GONE} of that face by face");
-            finding
-                .trials
-                .push(Trial::less_by(what, backend, (mended, GONE * seam), 0.0));
+                .extend(judged(&case, backend, [seam, face, mended]));
         }
     }
     Ok(())
+}
+
+/// That the step across edges is a seam beside that inside faces, and that filtering across them mends it.
+fn judged(case: &str, backend: Backend, [seam, face, mended]: [f64; 3]) -> [Trial; 2] {
+    let seen = format!("{case}: {SEEN} steps inside faces below a step across edges");
+    let gone = format!("{case}: step across edges below {GONE} of that face by face");
+    [
+        Trial::less_by(seen, backend, (SEEN * face, seam), 0.0),
+        Trial::less_by(gone, backend, (mended, GONE * seam), 0.0),
+    ]
 }
 
 /// Pairs of points that mirror in directions a step apart, from either side of a plane: with the first
@@ -159,7 +165,16 @@ fn pictures(
 
 #[cfg(test)]
 mod tests {
+    use super::super::super::synthetic::signs;
     use super::*;
+
+    #[test]
+    fn seams_are_thrice_a_step_inside_and_mended_to_less_than_half() {
+        let judged = |steps| signs(&judged("case", Backend::Cpu, steps));
+        assert_eq!(judged([3.1, 1.0, 1.5]), "++");
+        assert_eq!(judged([2.9, 1.0, 1.5]), "--");
+        assert_eq!(judged([0.31, 0.1, 0.16]), "+-");
+    }
 
     #[test]
     fn steps_are_relative_and_pairs_lie_on_both_sides_of_an_edge() {

@@ -78,10 +78,11 @@ fn judge(
     finding: &mut Finding,
 ) {
     let mut gloss: Vec<Vec<f64>> = Vec::new();
+    let mut sharpness_of: Vec<Vec<f64>> = Vec::new();
     for (row, f) in rows.iter().zip(F_LAMBDAS) {
         let sharp: Vec<f64> = row
             .iter()
-            .map(|e| sharpness(view, &view.image(e)))
+            .map(|e| sharpness(&view.surfaces(), &view.image(e)))
             .collect();
         let away = |(e, p): (&Estimate, &Estimate)| {
             Judge::at(p, None, (0..p.len()).collect())
@@ -105,15 +106,25 @@ fn judge(
                 "",
             );
         }
+        sharpness_of.push(sharp);
+    }
+    finding
+        .trials
+        .extend(judged(backend, &sharpness_of, &gloss));
+}
+
+/// That pictures lose sharpness with each step of b, and gain distance from that of f_λ = 0 with each step
+/// of f_λ; a list of both for each f_λ, over b.
+fn judged(backend: Backend, sharp: &[Vec<f64>], gloss: &[Vec<f64>]) -> Vec<Trial> {
+    let mut trials = Vec::new();
+    for (sharp, f) in sharp.iter().zip(F_LAMBDAS) {
         for i in 1..BIASES.len() {
             let what = format!(
                 "f_λ = {f}: neighbours at b = {} differ less than at {}",
                 BIASES[i],
                 BIASES[i - 1]
             );
-            finding
-                .trials
-                .push(Trial::less_by(what, backend, (sharp[i], sharp[i - 1]), 0.0));
+            trials.push(Trial::less_by(what, backend, (sharp[i], sharp[i - 1]), 0.0));
         }
     }
     for (i, b) in BIASES.into_iter().enumerate() {
@@ -123,19 +134,15 @@ fn judge(
                 F_LAMBDAS[f - 1],
                 F_LAMBDAS[f]
             );
-            finding.trials.push(Trial::less_by(
-                what,
-                backend,
-                (gloss[f - 1][i], gloss[f][i]),
-                0.0,
-            ));
+            let pair = (gloss[f - 1][i], gloss[f][i]);
+            trials.push(Trial::less_by(what, backend, pair, 0.0));
         }
     }
+    trials
 }
 
 /// Mean difference of neighbouring pixels that both show the surface, over their mean.
-fn sharpness(view: &View, image: &HdrImage) -> f64 {
-    let surface = view.surfaces();
+fn sharpness(surface: &[bool], image: &HdrImage) -> f64 {
     let (mut difference, mut sum) = (0.0, 0.0);
     for i in 0..image.pixels.len() {
         let right = ((i + 1) % image.width != 0).then_some(i + 1);
@@ -159,4 +166,39 @@ fn pictures(view: &View, row: &[Estimate], f_lambda: f32) -> Row {
         pictures.add(format!("b = {bias}"), view.image(estimate));
     }
     pictures
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::synthetic::signs;
+    use super::*;
+    use glam::Vec3;
+
+    #[test]
+    fn blur_rises_with_b_and_strength_with_f() {
+        let rows = |values: [[f64; 4]; 3]| values.map(|row| row.to_vec());
+        let falling = rows([[4.0, 3.0, 2.0, 1.0]; 3]);
+        let rising = rows([[1.0; 4], [2.0; 4], [3.0; 4]]);
+        let trials = judged(Backend::Cpu, &falling, &rising);
+        assert_eq!(signs(&trials), "+".repeat(9 + 8));
+        let (sharper, weaker) = (
+            rows([[1.0, 2.0, 3.0, 4.0]; 3]),
+            rows([[3.0; 4], [2.0; 4], [1.0; 4]]),
+        );
+        let trials = judged(Backend::Cpu, &sharper, &weaker);
+        assert_eq!(signs(&trials), "-".repeat(9 + 8));
+    }
+
+    /// 1 2 / 3 5, the last without a surface: |1 − 2| and |1 − 3| over 1.5 and 2.
+    #[test]
+    fn sharpness_is_the_difference_of_neighbours_on_the_surface() {
+        let pixels = [1.0, 2.0, 3.0, 5.0].map(Vec3::splat).to_vec();
+        let image = HdrImage {
+            width: 2,
+            height: 2,
+            pixels,
+        };
+        let found = sharpness(&[true, true, true, false], &image);
+        assert!((found - 3.0 / 3.5).abs() < 1e-6, "{found}");
+    }
 }

@@ -7,10 +7,12 @@ use super::super::judge::{ERROR, Judge};
 use super::super::pictures::Row;
 use super::super::verdict::{Amount, Trial};
 use super::sequence::{Moment, RESTING};
+use crate::domain::image::HdrImage;
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
 use crate::running::stages::Sequence;
 use interreflect_estimators::Quantity;
+use interreflect_scene::Estimate;
 use interreflect_scene::motion::Moves;
 
 /// Largest change of a pixel over the mean that leaves a picture as it is.
@@ -66,12 +68,7 @@ fn biases(context: &ExperimentContext<'_>, finding: &mut Finding) -> Result<(), 
             estimates.push((label, measured.estimate));
             finding.runs.push(measured.run);
         }
-        for (rival, estimate) in &estimates[1..] {
-            let what = format!("slope-scaled bias nearer than {rival}");
-            finding
-                .trials
-                .push(judge.nearer(what, backend, &estimates[0].1, estimate));
-        }
+        finding.trials.extend(nearest(&judge, backend, &estimates));
     }
     finding.pictures.push(row);
     Ok(())
@@ -110,12 +107,7 @@ fn filtered(
             moment.view.image(&a.estimate),
             moment.view.image(&b.estimate),
         );
-        let pairs = a.pixels.iter().zip(&b.pixels);
-        let change = pairs
-            .map(|(a, b)| (*a - *b).abs().max_element())
-            .fold(0.0, f32::max);
-        let mean = a.pixels.iter().map(|p| p.x).sum::<f32>() / a.pixels.len() as f32;
-        worst = worst.max(f64::from(change / mean));
+        worst = worst.max(largest_change(&a, &b));
         row.add(format!("frame {index}"), b);
     }
     finding.measure(
@@ -124,10 +116,69 @@ fn filtered(
         Amount::exact(worst),
         "",
     );
-    let what = "largest change of a pixel by filtering, over the mean";
-    finding
-        .trials
-        .push(Trial::less_by(what, backend, (worst, SAME), 0.0));
+    finding.trials.push(unchanged(backend, worst));
     finding.pictures.push(row);
     Ok(())
+}
+
+/// That the first of the estimates is nearer to the reference than each of the others.
+fn nearest(judge: &Judge<'_>, backend: Backend, estimates: &[(&str, Estimate)]) -> Vec<Trial> {
+    let Some(((_, first), rivals)) = estimates.split_first() else {
+        return Vec::new();
+    };
+    let nearer = |(rival, estimate): &(&str, Estimate)| {
+        let what = format!("slope-scaled bias nearer than {rival}");
+        judge.nearer(what, backend, first, estimate)
+    };
+    rivals.iter().map(nearer).collect()
+}
+
+/// The largest change of a pixel over the mean of the first image's red.
+fn largest_change(before: &HdrImage, after: &HdrImage) -> f64 {
+    let pairs = before.pixels.iter().zip(&after.pixels);
+    let change = pairs
+        .map(|(a, b)| (*a - *b).abs().max_element())
+        .fold(0.0, f32::max);
+    let mean = before.pixels.iter().map(|p| p.x).sum::<f32>() / before.pixels.len() as f32;
+    f64::from(change / mean)
+}
+
+/// That filtering leaves every pixel as it is.
+fn unchanged(backend: Backend, worst: f64) -> Trial {
+    let what = "largest change of a pixel by filtering, over the mean";
+    Trial::less_by(what, backend, (worst, SAME), 0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::synthetic::{exact, flat, signs};
+    use super::*;
+    use glam::Vec3;
+
+    #[test]
+    fn the_slope_scaled_bias_has_to_be_the_nearest() {
+        let reference = flat(1.0);
+        let judge = exact(&reference);
+        let estimates = |values: [f32; 3]| {
+            let names = ["slope-scaled", "constant", "none"];
+            let all = names.into_iter().zip(values.map(flat));
+            signs(&nearest(&judge, Backend::Cpu, &all.collect::<Vec<_>>()))
+        };
+        assert_eq!(estimates([0.9, 0.8, 0.3]), "++");
+        assert_eq!(estimates([0.5, 0.8, 0.3]), "-+");
+        assert_eq!(estimates([0.3, 0.8, 0.9]), "--");
+    }
+
+    #[test]
+    fn a_picture_stays_as_it_is_within_a_thousandth() {
+        let signs = |worst| signs([&unchanged(Backend::Cpu, worst)]);
+        assert_eq!((signs(0.9e-3), signs(1.1e-3)), ("+".into(), "-".into()));
+        let image = |values: [f32; 4]| HdrImage {
+            width: 4,
+            height: 1,
+            pixels: values.map(Vec3::splat).to_vec(),
+        };
+        let (before, after) = (image([0.0, 1.0, 1.0, 2.0]), image([0.0, 1.5, 1.0, 1.75]));
+        assert!((largest_change(&before, &after) - 0.5).abs() < 1e-6);
+    }
 }

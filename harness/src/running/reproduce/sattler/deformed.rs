@@ -5,6 +5,7 @@ use super::super::experiment_scene::ExperimentScene;
 use super::super::finding::Finding;
 use super::super::judge::{ERROR, Judge};
 use super::super::pictures::Row;
+use super::super::verdict::Trial;
 use super::sequence::{DEFORMING, Moment};
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
@@ -61,10 +62,8 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
                 "",
             );
             if index > 0 {
-                let what = format!("{title}: nearer than the occlusion at rest");
-                finding
-                    .trials
-                    .push(judge.nearer(what, *backend, &shaded.estimate, fixed));
+                let trial = follows(&judge, (&*title, *backend), &shaded.estimate, fixed);
+                finding.trials.push(trial);
             }
             if *backend == context.backends()[0] {
                 row.add("this frame's", view.image(&shaded.estimate));
@@ -74,4 +73,39 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
         finding.pictures.push(row);
     }
     Ok(finding)
+}
+
+/// That a frame's own occlusion is nearer to the reference than that at rest.
+fn follows(
+    judge: &Judge<'_>,
+    (title, backend): (&str, Backend),
+    own: &Estimate,
+    at_rest: &Estimate,
+) -> Trial {
+    let what = format!("{title}: nearer than the occlusion at rest");
+    judge.nearer(what, backend, own, at_rest)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::synthetic::{exact, flat, signs};
+    use super::*;
+
+    #[test]
+    fn a_frame_s_own_occlusion_has_to_be_the_nearer_one() {
+        let reference = flat(0.5);
+        let judge = exact(&reference);
+        let judged = |own, rest| {
+            signs([&follows(
+                &judge,
+                ("", Backend::Cpu),
+                &flat(own),
+                &flat(rest),
+            )])
+        };
+        assert_eq!(
+            (judged(0.6, 0.8), judged(0.8, 0.6)),
+            ("+".into(), "-".into())
+        );
+    }
 }

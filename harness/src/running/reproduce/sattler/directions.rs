@@ -7,8 +7,10 @@ use super::super::judge::{ERROR, Judge};
 use super::super::pictures::Row;
 use super::super::verdict::{Amount, Trial};
 use super::directions;
+use crate::domain::record::Backend;
 use crate::running::error::RunError;
 use interreflect_estimators::Quantity;
+use interreflect_scene::Estimate;
 
 /// The level of a few hundred directions.
 const ENOUGH: u32 = 3;
@@ -56,10 +58,7 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
             );
             finding.measure((&*case, "rms difference / mean"), backend, rms, "");
             if level == ENOUGH {
-                let what = format!("{case}: rms difference over mean");
-                finding
-                    .trials
-                    .push(Trial::less(what, backend, rms, Amount::exact(NEAR)));
+                finding.trials.push(enough(&case, backend, rms));
             }
             if backend == context.backends()[0] {
                 row.add(case, view.image(&measured.estimate));
@@ -67,13 +66,44 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
             estimates.push((k, measured.estimate));
             finding.runs.push(measured.run);
         }
-        for pair in estimates.windows(2) {
-            let what = format!("{} directions nearer than {}", pair[1].0, pair[0].0);
-            finding
-                .trials
-                .push(judge.nearer(what, backend, &pair[1].1, &pair[0].1));
-        }
+        finding.trials.extend(steps(&judge, backend, &estimates));
     }
     finding.pictures.push(row);
     Ok(finding)
+}
+
+/// That this many directions are near enough to the reference.
+fn enough(case: &str, backend: Backend, rms: Amount) -> Trial {
+    let what = format!("{case}: rms difference over mean");
+    Trial::less(what, backend, rms, Amount::exact(NEAR))
+}
+
+/// That each estimate, of a number of directions, is nearer to the reference than the one before.
+fn steps(judge: &Judge<'_>, backend: Backend, estimates: &[(u32, Estimate)]) -> Vec<Trial> {
+    let step = |pair: &[(u32, Estimate)]| {
+        let what = format!("{} directions nearer than {}", pair[1].0, pair[0].0);
+        judge.nearer(what, backend, &pair[1].1, &pair[0].1)
+    };
+    estimates.windows(2).map(step).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::synthetic::{exact, flat, signs};
+    use super::*;
+
+    #[test]
+    fn more_directions_have_to_be_nearer_and_258_enough() {
+        let reference = flat(1.0);
+        let judge = exact(&reference);
+        let estimates = [(6, 0.5), (18, 0.7), (66, 0.6), (258, 0.9)];
+        let estimates = estimates.map(|(k, value)| (k, flat(value)));
+        let trials = steps(&judge, Backend::Cpu, &estimates);
+        assert_eq!(signs(&trials), "+-+");
+        assert_eq!(trials[0].what, "18 directions nearer than 6, MSE / mean²");
+        let near = |rms| signs([&enough("", Backend::Cpu, Amount::exact(rms))]);
+        assert_eq!((near(0.049), near(0.051)), ("+".into(), "-".into()));
+        assert_eq!(directions(ENOUGH), 258);
+        assert_eq!([0, 1, 2, 4].map(directions), [6, 18, 66, 1026]);
+    }
 }

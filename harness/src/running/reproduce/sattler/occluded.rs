@@ -5,9 +5,11 @@ use super::super::experiment_scene::ExperimentScene;
 use super::super::finding::Finding;
 use super::super::judge::{ERROR, Judge, scaled};
 use super::super::pictures::Row;
-use super::super::verdict::Amount;
+use super::super::verdict::{Amount, Trial};
+use crate::domain::record::Backend;
 use crate::running::error::RunError;
 use interreflect_estimators::{OwnModel, Quantity};
+use interreflect_scene::Estimate;
 
 pub(super) fn one_model(context: &ExperimentContext<'_>) -> Result<Finding, RunError> {
     let mut finding = Finding::default();
@@ -105,13 +107,42 @@ fn compare(
                     .into_iter()
                     .enumerate()
             {
-                let what = format!("{case}: nearer to {reference} with occlusion than without");
-                finding
-                    .trials
-                    .push(judge.nearer(what, backend, &with[i], &without[i]));
+                let trial = gained(judge, (case, reference), backend, [&with[i], &without[i]]);
+                finding.trials.push(trial);
             }
         }
     }
     finding.pictures.push(row);
     Ok(())
+}
+
+/// That an estimate with occlusion is nearer to the reference than one without.
+fn gained(
+    judge: &Judge<'_>,
+    (case, reference): (&str, &str),
+    backend: Backend,
+    [with, without]: [&Estimate; 2],
+) -> Trial {
+    let what = format!("{case}: nearer to {reference} with occlusion than without");
+    judge.nearer(what, backend, with, without)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::synthetic::{exact, flat, signs};
+    use super::*;
+
+    #[test]
+    fn occlusion_has_to_bring_an_estimate_nearer() {
+        let reference = flat(0.5);
+        let judge = exact(&reference);
+        let judged = |with: f32, without: f32| {
+            let pair = [&flat(with), &flat(without)];
+            signs([&gained(&judge, ("", ""), Backend::Cpu, pair)])
+        };
+        assert_eq!(
+            (judged(0.6, 1.0), judged(1.0, 0.6)),
+            ("+".into(), "-".into())
+        );
+    }
 }

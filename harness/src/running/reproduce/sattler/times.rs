@@ -193,3 +193,51 @@ fn judge(levels: &[u32], backend: Backend, table: &[Column], finding: &mut Findi
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::synthetic::signs;
+    use super::*;
+    use interreflect_estimators::Registry;
+
+    /// A model whose frame takes these times at levels 0 and 1: animated, filtered, static.
+    fn column(model: &str, vertices: usize, ms: [[f64; 3]; 2]) -> Column {
+        let registry = Registry::builtin();
+        let entry = registry.get("directional_ao").expect("a built-in method");
+        let film = |level: usize, way: usize| Film {
+            backend: Backend::Cpu,
+            level: level as u32,
+            way: WAYS[way].0,
+            method: entry.configure(),
+            running: Sequence::default(),
+            ms: vec![ms[level][way]; 3],
+        };
+        let films = (0..6).map(|i| film(i / 3, i % 3)).collect();
+        Column {
+            model: model.into(),
+            vertices,
+            films,
+        }
+    }
+
+    #[test]
+    fn time_rises_with_directions_and_vertices_and_falls_by_lists_and_rest() {
+        let judged = |small: [[f64; 3]; 2], large: [[f64; 3]; 2]| {
+            let mut finding = Finding::default();
+            let table = [column("large", 900, large), column("small", 90, small)];
+            judge(&[0, 1], Backend::Cpu, &table, &mut finding);
+            signs(&finding.trials)
+        };
+        let (small, large) = (
+            [[3.0, 2.0, 1.0], [6.0, 5.0, 4.0]],
+            [[7.0, 6.0, 5.0], [9.0, 8.0, 7.0]],
+        );
+        assert_eq!(judged(small, large), "+".repeat(2 * 5 + 2));
+        // More directions faster, lists and rest slower, and fewer vertices slower.
+        let (slow, fast) = (
+            [[6.0, 7.0, 8.0], [5.0, 6.0, 7.0]],
+            [[3.0, 4.0, 5.0], [2.0, 3.0, 4.0]],
+        );
+        assert_eq!(judged(slow, fast), "-".repeat(2 * 5 + 2));
+    }
+}

@@ -133,14 +133,7 @@ fn shared(
     let estimates: Vec<&Estimate> = own.iter().map(|measured| &measured.estimate).collect();
     let each = of_the_nearest(&points, &middles, &estimates);
     let capture = |measured: &super::super::measured_run::MeasuredRun| measured.frame_ms();
-    let both_ms = own.iter().map(capture).reduce(|a, b| Amount {
-        value: a.value + b.value,
-        spread: a.spread.hypot(b.spread),
-    });
-    let each_cost = (
-        both_ms.unwrap_or(Amount::exact(f64::NAN)),
-        judge.error(&each),
-    );
+    let each_cost = (together(own.iter().map(capture)), judge.error(&each));
     let one_cost = (one.frame_ms(), judge.error(&one.estimate));
     let at = ("2 objects", backend, context.software(backend));
     weigh(
@@ -163,6 +156,15 @@ fn pictures(view: &View, truth: &Estimate, [one, each]: [&Estimate; 2]) -> Row {
     row.add("one map", view.image(one));
     row.add("a map each", view.image(each));
     row
+}
+
+/// The sum of independent times; no number without any.
+fn together(times: impl Iterator<Item = Amount>) -> Amount {
+    let sum = times.reduce(|a, b| Amount {
+        value: a.value + b.value,
+        spread: a.spread.hypot(b.spread),
+    });
+    sum.unwrap_or(Amount::exact(f64::NAN))
 }
 
 /// At each point the estimate whose place is the nearest.
@@ -209,5 +211,51 @@ fn weigh(
             cheap_error,
             dear_error.times(WORSE),
         ));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::synthetic::{about, flat, signs};
+    use super::*;
+    use interreflect_scene::{Point, PointLayout};
+
+    #[test]
+    fn a_kept_map_has_to_be_faster_and_near_by_not_twice_as_wrong() {
+        let weighed = |cheap: Cost, dear: Cost, near: bool| {
+            let mut finding = Finding::default();
+            let at = ("case", Backend::Cpu, false);
+            weigh(at, ("kept", cheap), ("fresh", dear), near, &mut finding);
+            assert_eq!(finding.measured.len(), 4);
+            assert_eq!(finding.measured[0].value, cheap.0.value);
+            assert_eq!(finding.measured[3].value, dear.1.value);
+            signs(&finding.trials)
+        };
+        let cost = |ms: f64, error: f64| (about(ms), Amount::exact(error));
+        assert_eq!(weighed(cost(1.0, 1.9), cost(2.0, 1.0), true), "++");
+        assert_eq!(weighed(cost(2.0, 2.1), cost(1.0, 1.0), true), "--");
+        assert_eq!(weighed(cost(2.0, 0.1), cost(2.1, 1.0), true), "?+");
+        assert_eq!(weighed(cost(1.0, 9.0), cost(2.0, 1.0), false), "+");
+        // A quarter of the half-width of the room, which is 1 m.
+        assert_eq!(MOVED_M.map(|m| m <= NEAR_M), [true, true, true, false]);
+    }
+
+    #[test]
+    fn two_maps_take_the_time_of_both_and_each_point_has_the_nearest() {
+        let sum = together([about(3.0), about(4.0)].into_iter());
+        assert!((sum.value - 7.0).abs() < 1e-12 && (sum.spread - 0.5).abs() < 1e-12);
+        assert!(together(std::iter::empty()).value.is_nan());
+        let at = |x: f32| {
+            Some(Point {
+                position: Vec3::X * x,
+                normal: Vec3::Y,
+                ..Point::default()
+            })
+        };
+        let points = Points::new(PointLayout::Surface, [at(-0.9), at(0.2), None, at(-0.2)]);
+        let (left, right) = (flat(1.0), flat(2.0));
+        let merged = of_the_nearest(&points, &[-Vec3::X, Vec3::X], &[&left, &right]);
+        let found: Vec<f32> = merged.iter().map(|v| v.x).collect();
+        assert_eq!(found, [1.0, 2.0, 0.0, 1.0]);
     }
 }

@@ -5,6 +5,8 @@ use super::super::experiment_scene::ExperimentScene;
 use super::super::finding::Finding;
 use super::super::judge::{ERROR, Judge, scaled};
 use super::super::pictures::Row;
+use super::super::verdict::Trial;
+use crate::domain::record::Backend;
 use crate::running::error::RunError;
 use interreflect_estimators::execution::LoadedScene;
 use interreflect_estimators::{Configured, OwnModel, Quantity};
@@ -126,14 +128,24 @@ fn compare(
             maps.push((m, shoot(&format!("M = {m}"), &*map)?));
         }
         shoot("M = 16 corrected", &*localized(context, 16, "corrected")?)?;
-        for (m, map) in &maps {
-            finding
-                .trials
-                .push(judge.nearer(format!("{case}, M = {m}"), backend, map, &classic));
-        }
+        let trials = nearer_than_classic(&judge, (case, backend), &maps, &classic);
+        finding.trials.extend(trials);
     }
     finding.pictures.push(row);
     Ok(())
+}
+
+/// That each map, of M texels along a face's edge, is nearer to the reference than classic mapping.
+fn nearer_than_classic(
+    judge: &Judge<'_>,
+    (case, backend): (&str, Backend),
+    maps: &[(u32, Estimate)],
+    classic: &Estimate,
+) -> Vec<Trial> {
+    let nearer = |(m, map): &(u32, Estimate)| {
+        judge.nearer(format!("{case}, M = {m}"), backend, map, classic)
+    };
+    maps.iter().map(nearer).collect()
 }
 
 fn localized(
@@ -147,4 +159,21 @@ fn localized(
         ("fidelity", &fidelity),
     ];
     context.method("localized_cubemap", &parameters)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::synthetic::{exact, flat, signs};
+    use super::*;
+
+    #[test]
+    fn maps_have_to_be_nearer_than_classic_mapping() {
+        let reference = flat(1.0);
+        let judge = exact(&reference);
+        let maps = [(2, flat(1.2)), (4, flat(0.7)), (16, flat(0.4))];
+        let trials = nearer_than_classic(&judge, ("case", Backend::Gpu), &maps, &flat(1.5));
+        assert_eq!(signs(&trials), "++-");
+        assert_eq!(trials[1].what, "case, M = 4, MSE / mean²");
+        assert!(trials.iter().all(|t| t.backend == Backend::Gpu));
+    }
 }

@@ -5,6 +5,7 @@ use super::super::experiment_scene::ExperimentScene;
 use super::super::finding::Finding;
 use super::super::pictures::Row;
 use super::super::verdict::{Amount, Trial};
+use crate::domain::record::Backend;
 use crate::running::error::RunError;
 use interreflect_estimators::Quantity;
 
@@ -64,29 +65,47 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
             ratio,
             ("", software),
         );
-        for (i, j, what) in [
-            (1, 2, "points below polygons, ms"),
-            (0, 1, "classic mapping below points, ms"),
-        ] {
-            finding.trials.push(Trial::less(
-                format!("shading by {what}"),
-                backend,
-                shade[i],
-                shade[j],
-            ));
-        }
-        let what = format!("shading by polygons below {DEARER} times that by points, ms");
         finding
             .trials
-            .push(Trial::less(what, backend, shade[2], shade[1].times(DEARER)));
-        let what = "shading by polygons below 100 ms";
-        finding.trials.push(Trial::less(
-            what,
-            backend,
-            shade[2],
-            Amount::exact(INTERACTIVE_MS),
-        ));
+            .extend(judged(backend, [shade[0], shade[1], shade[2]]));
     }
     finding.pictures.push(row);
     Ok(finding)
+}
+
+/// That the methods cost ever more, but neither ten times as much nor more than is interactive.
+fn judged(backend: Backend, [classic, points, polygons]: [Amount; 3]) -> [Trial; 4] {
+    let dearer = format!("shading by polygons below {DEARER} times that by points, ms");
+    let interactive = Amount::exact(INTERACTIVE_MS);
+    let below = |what: &str, a, b| Trial::less(what, backend, a, b);
+    [
+        below("shading by points below polygons, ms", points, polygons),
+        below(
+            "shading by classic mapping below points, ms",
+            classic,
+            points,
+        ),
+        below(&dearer, polygons, points.times(DEARER)),
+        below("shading by polygons below 100 ms", polygons, interactive),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::synthetic::{about, signs};
+    use super::*;
+
+    #[test]
+    fn polygons_are_dearer_within_limits() {
+        let judged = |ms: [f64; 3]| signs(&judged(Backend::Cpu, ms.map(about)));
+        assert_eq!(judged([1.0, 10.0, 60.0]), "++++");
+        assert_eq!(judged([30.0, 10.0, 130.0]), "+---");
+        assert_eq!(judged([1.0, 10.0, 5.0]), "-+++");
+        // Dearest in the order of shading.
+        let ids = METHODS.map(|(_, id)| id);
+        assert_eq!(
+            ids,
+            ["classic_envmap", "point_form_factor", "polygon_form_factor"]
+        );
+    }
 }

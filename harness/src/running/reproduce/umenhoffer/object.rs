@@ -5,10 +5,11 @@ use super::super::experiment_scene::ExperimentScene;
 use super::super::finding::Finding;
 use super::super::judge::{ERROR, Judge};
 use super::super::pictures::Row;
-use super::super::verdict::Amount;
+use super::super::verdict::{Amount, Trial};
+use crate::domain::record::Backend;
 use crate::running::error::RunError;
 use interreflect_estimators::{OwnModel, Quantity};
-use interreflect_scene::LightPaths;
+use interreflect_scene::{Estimate, LightPaths};
 
 /// All light but what the model keeps from itself.
 const UNSHADOWED: OwnModel = OwnModel::LightTransport(LightPaths {
@@ -63,16 +64,50 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
                 "polygon_form_factor",
                 &[four, edge, corrected],
             )?;
-            for (fidelity, polygon) in [("published", &polygon), ("corrected", &mended)] {
-                for (rival, estimate) in [("points", &point), ("classic mapping", &classic)] {
-                    let what = format!("M = {m}: {fidelity} polygons nearer than {rival}");
-                    finding
-                        .trials
-                        .push(judge.nearer(what, backend, polygon, estimate));
-                }
-            }
+            let (polygons, rivals) = ([&polygon, &mended], [&point, &classic]);
+            let trials = judged(&judge, (m, backend), polygons, rivals);
+            finding.trials.extend(trials);
         }
         finding.pictures.push(row);
     }
     Ok(finding)
+}
+
+/// That polygons, published and corrected, are nearer to the reference than points and classic mapping.
+fn judged(
+    judge: &Judge<'_>,
+    (m, backend): (u32, Backend),
+    [published, corrected]: [&Estimate; 2],
+    [points, classic]: [&Estimate; 2],
+) -> Vec<Trial> {
+    let mut trials = Vec::new();
+    for (fidelity, polygon) in [("published", published), ("corrected", corrected)] {
+        for (rival, estimate) in [("points", points), ("classic mapping", classic)] {
+            let what = format!("M = {m}: {fidelity} polygons nearer than {rival}");
+            trials.push(judge.nearer(what, backend, polygon, estimate));
+        }
+    }
+    trials
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::synthetic::{exact, flat, signs};
+    use super::*;
+
+    #[test]
+    fn polygons_have_to_be_the_nearest() {
+        let reference = flat(1.0);
+        let judge = exact(&reference);
+        let [one, two, three, four] = [0.9, 0.8, 0.7, 0.6].map(flat);
+        let at = (4, Backend::Cpu);
+        let trials = judged(&judge, at, [&one, &two], [&three, &four]);
+        assert_eq!(signs(&trials), "++++");
+        let trials = judged(&judge, at, [&four, &two], [&three, &one]);
+        assert_eq!(signs(&trials), "--+-");
+        assert_eq!(
+            trials[2].what,
+            "M = 4: corrected polygons nearer than points, MSE / mean²"
+        );
+    }
 }
