@@ -12,10 +12,11 @@ use std::path::PathBuf;
     args_override_self = true,
     after_help = "Each --vary of an estimator applies to that estimator alone; two of the same estimator \
 are combined, each value with each. A --vary of the scene (`scene.…`) or of the run (`run.points`, \
-`run.threads`) is combined with everything. VALUES are a list `2,3,5`, or a range: `2..32:log2` doubles, `1..1000:log10` multiplies by ten, \
-`0..1:5` gives five evenly spaced values, `2..6` all whole numbers.\n\n\
+`run.threads`) is combined with everything. VALUES are a list `2,3,5`, or a range: `2..32:log2` \
+doubles, `1..1000:log10` multiplies by ten, `0..1:5` gives five evenly spaced values, `2..6` all whole numbers.\n\n\
 Every finished task is written to --out at once; the same command resumes a sweep that was killed.\n\n\
-A sweep file has the same options as keys: `scenes = [\"cornell-box\"]`, `vary = [\"localized_cubemap.resolution=2..32:log2\"]`, \
+A sweep file has the same options as keys: `scenes = [\"cornell-box\"]`, \
+`vary = [\"localized_cubemap.resolution=2..32:log2\"]`, \
 `points = 1024`, ….\n\nExamples:\n  \
 interreflect sweep cornell-box --vary localized_cubemap.resolution=2..32:log2\n  \
 interreflect sweep colored-room --vary polygon_form_factor.fidelity=published,corrected \
