@@ -37,4 +37,4 @@ awk -v line="pub mod $id;" '
 mv estimators/src/lib.rs.new estimators/src/lib.rs
 sed -i "s/^\( *\)\.with(Entry::cpu_only::<crate::path_reference::PathReference>())/\1.with(Entry::both::<crate::$id::$name>())\n&/" \
     estimators/src/registry.rs
-echo "$folder: change math.rs and math.wgsl, cpu.rs and gpu.rs, params.rs, claims.rs and README.md"
+echo "$folder: now edit math.rs and math.wgsl, cpu.rs and gpu.rs, params.rs, claims.rs and README.md"

@@ -219,7 +219,7 @@ impl<K: TileKernel> Task<'_, K> {
 pub enum CpuCxError {
     /// The processor lacks the instructions that were asked for.
     #[error(
-        "this processor has no {0} instructions; leave the choice out to take the widest it has"
+        "this processor has no {0} instructions; omit --instruction-set to use the widest it has"
     )]
     Lacking(&'static str),
     /// The operating system refused the threads.

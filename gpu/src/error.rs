@@ -18,8 +18,8 @@ pub enum GpuError {
         /// Every adapter with its index.
         known: String,
     },
-    /// The adapter would not open a device.
-    #[error("the adapter `{adapter}` would not open a device: {reason}")]
+    /// The adapter could not open a device.
+    #[error("the adapter `{adapter}` could not open a device: {reason}")]
     NoDevice {
         /// Name of the adapter.
         adapter: String,
@@ -93,7 +93,7 @@ pub enum GpuError {
         max: u64,
     },
     /// A texture is larger than the device allows.
-    #[error("{what} takes {size} texels an edge, the device allows 1 to {max}")]
+    #[error("{what} has {size} texels per edge; the device allows 1 to {max}")]
     TextureTooLarge {
         /// What the texture is for.
         what: String,
@@ -121,8 +121,8 @@ pub enum GpuError {
         /// Texels that the size says.
         expected: usize,
     },
-    /// A coarse solution that is not the one that a capture needs.
-    #[error("the coarse solution has {found} {what}, the capture needs {expected}")]
+    /// Coarse radiosity that is not what a capture needs.
+    #[error("coarse radiosity has {found} {what}, the capture needs {expected}")]
     CoarseIrradiance {
         /// What differs.
         what: &'static str,
@@ -133,8 +133,8 @@ pub enum GpuError {
     },
     /// More triangles than mirrors in lights' views are followed through.
     #[error(
-        "light is followed through mirrors among at most {max} triangles, the scene has {triangles}: \
-         simplify it, or use the CPU backend"
+        "mirrors need at most {max} triangles on the GPU, the scene has {triangles}: simplify it, or \
+         use the CPU backend"
     )]
     MirroredTriangles {
         /// Number of captured triangles in the scene.

@@ -34,7 +34,7 @@ pub enum Mistimed {
     #[error("the device's clock stood still while work ran")]
     Still,
     /// Longer than the host waited for it.
-    #[error("the device's clock counted more time than passed")]
+    #[error("the device's clock counted more time than passed on the host")]
     TooLong,
 }
 

@@ -117,7 +117,7 @@ fn an_experiment_leaves_its_numbers_page_and_pictures() {
     assert_eq!(experiment["verdict"], "holds");
     let notes = experiment["notes"].to_string();
     assert!(
-        notes.contains("bunny.obj not found: blob in its place"),
+        notes.contains("bunny.obj not found, `blob` is used instead"),
         "{notes}"
     );
     let measured = experiment["measured"].as_array().unwrap();

@@ -1,6 +1,6 @@
-//! Views from the lights on the host.
+//! Reflective shadow maps on the host.
 //!
-//! What the first ray of a light meets is lit; a picture from the light is a list of lit places
+//! What the first ray of a light meets is lit; a reflective shadow map is a list of lit places
 //! (Frisvad et al., *Direct Radiance Mapping*, §3).
 
 use crate::{Bounds, LightFrame, LightViewChannels, LightViewSpec, Scene, conventions};
@@ -25,8 +25,8 @@ pub struct TrueColors {
     pub to_light: Vec3,
 }
 
-/// Pictures from every light of a scene: planes of texels, frame by frame, rows of columns
-/// ([`view_index`]).
+/// Reflective shadow maps of every light of a scene: planes of texels, frame by frame, rows of
+/// columns ([`view_index`]).
 ///
 /// A channel that was not asked for is an empty vector. Where a ray met no surface, or one that the
 /// light does not shine on, `path_m` is 0 and the texel is no photon. A mirror is none either: the

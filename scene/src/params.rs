@@ -88,7 +88,7 @@ impl<P> Params for P where
 {
 }
 
-/// The paper as printed, errata included, or what it meant.
+/// The paper literally, errata included, or what it meant.
 #[derive(
     Clone,
     Copy,

@@ -86,7 +86,7 @@ impl Scene {
             Some(what) => Err(SceneError::Inconsistent {
                 scene: self.name.clone(),
                 what,
-                remedy: "mend the motion, for example with other keyframes".into(),
+                remedy: "fix the motion, for example with other keyframes".into(),
             }),
         }
     }
@@ -144,7 +144,7 @@ fn camera_fault(camera: &Camera) -> Option<String> {
     (!framed).then(|| {
         let [eye, target, up] = [eye, target, up].map(|v| v.to_array());
         format!(
-            "the camera has no view: from {eye:?} to {target:?}, up {up:?}, {vfov_deg}° in {width} × {height} pixels"
+            "the camera has no valid view: from {eye:?} to {target:?}, up {up:?}, {vfov_deg}° in {width} × {height} pixels"
         )
     })
 }

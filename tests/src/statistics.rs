@@ -58,7 +58,7 @@ pub enum Disagreement {
         bound: f64,
     },
     /// No value has an error, or is off.
-    #[error("no value tells anything")]
+    #[error("no value has a usable standard error")]
     Nothing,
 }
 

@@ -19,7 +19,7 @@ impl Method for ClassicEnvmap {
     const INFO: Info = Info {
         id: "classic_envmap",
         title: "Classic environment map",
-        summary: "what is seen from the reference point, taken to be infinitely far away",
+        summary: "an environment map around the reference point, taken to be infinitely far away",
         references: &[
             Reference {
                 authors: "G. S. Miller, C. R. Hoffman",

@@ -18,7 +18,7 @@ impl Method for ConstantAmbient {
     const INFO: Info = Info {
         id: "constant_ambient",
         title: "Constant ambient light",
-        summary: "the mean radiance seen from the reference point, from everywhere; the template for a new method",
+        summary: "the mean radiance seen from the reference point arrives from everywhere; the template for a new method",
         references: &[],
         figure: Some(Figure {
             scene: "cornell-box",

@@ -17,7 +17,7 @@ pub(super) fn claims(params: &DirectRadianceMap, quantity: Quantity) -> Vec<Clai
         claims.extend([Claim::DarkFromBehind, Claim::ScaleInvariant]);
         claims.push(Claim::Bounded {
             by: 1.0,
-            cause: "measured: photons are spread over what the light sees",
+            cause: "measured: photons cover all that the light sees",
         });
     }
     let fine = params.formula() == Formula::Corrected && params.samples_per_side >= 3;

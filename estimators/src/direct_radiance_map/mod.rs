@@ -20,7 +20,7 @@ pub use params::{DirectRadianceMap, SolidAngle, Surface, TexelOf};
 impl Method for DirectRadianceMap {
     const INFO: Info = Info {
         id: "direct_radiance_map",
-        title: "Direct radiance maps",
+        title: "Direct radiance mapping",
         summary: "a few texels of reflective shadow maps (RSMs) light every point",
         references: &[Reference {
             authors: "J. R. Frisvad, R. R. Frisvad, N. J. Christensen, P. Falster",

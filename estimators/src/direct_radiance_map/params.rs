@@ -41,7 +41,7 @@ pub enum Surface {
 /// Direct radiance maps, by their parameters.
 #[derive(Clone, Debug, PartialEq, SmartDefault, Serialize, Deserialize, JsonSchema)]
 pub struct DirectRadianceMap {
-    /// Texels along the edge of a light's view.
+    /// Texels along the edge of a reflective shadow map.
     #[default(16)]
     #[schemars(range(min = 1, max = 256))]
     #[schemars(extend("symbol" = "w", "unit" = "texels", "scale" = "log"))]
@@ -50,12 +50,11 @@ pub struct DirectRadianceMap {
     #[default(3)]
     #[schemars(range(min = 1, max = 64), extend("symbol" = "N", "scale" = "log"))]
     pub samples_per_side: u32,
-    /// The paper as printed, errata included, or what it meant.
+    /// The paper literally, errata included, or what it meant.
     pub fidelity: Fidelity,
     /// `published` only: a sample's solid angle by equation 11, 14 or 15.
     pub solid_angle: SolidAngle,
-    /// A sample's size: that of its cell of the grid, or of a texel of the view, which loses the light
-    /// in between.
+    /// A sample's size: its cell of the grid, or a texel of the map, which loses the light in between.
     pub texel: TexelOf,
     /// A sample's radiance is the mean over its cell, against flashing (§5).
     #[default(false)]

@@ -21,7 +21,7 @@ pub enum Bias {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Visibility {
-    /// A look into the depth map.
+    /// A lookup in the depth map.
     #[default]
     DepthMap,
     /// An occlusion query for each point, as in the paper (GPU).
@@ -41,25 +41,25 @@ pub struct DirectionalAo {
     #[default(512)]
     #[schemars(range(min = 8, max = 2048), extend("unit" = "texels", "scale" = "log"))]
     pub map_resolution: u32,
-    /// What keeps a depth map from occluding the surface that it shows.
+    /// Depth bias that keeps a surface from occluding itself.
     pub bias: Bias,
-    /// How a point is found open: a look into the depth map, an occlusion query (GPU), or a ray (CPU).
+    /// Visibility test: a lookup in the depth map, an occlusion query (GPU), or a ray (CPU).
     pub visibility: Visibility,
     /// Standard deviation of the Gaussian that blurs the environment before it is sampled.
     #[default(10.0)]
     #[schemars(range(min = 0.0, max = 90.0), extend("symbol" = "σ", "unit" = "°"))]
     pub blur_deg: f32,
-    /// Evaluate only vertices that are about to be seen (sequences shaded at vertices).
+    /// Evaluate only vertices that become visible (sequences shaded at vertices).
     #[default(false)]
     pub filter: bool,
-    /// Highest level while surfaces move; refined by one level a frame when they rest.
+    /// Highest level while surfaces move; at rest it rises by one level per frame.
     #[default(MAX_LEVEL)]
     #[schemars(range(max = MAX_LEVEL))]
     pub moving_level: u32,
-    /// Frames per second that the level is held to, below `level`; 0 for none.
+    /// Frame rate to hold by lowering the level below `level`; 0: none.
     #[default(0.0)]
     #[schemars(range(min = 0.0, max = 1000.0), extend("unit" = "1/s"))]
     pub target_fps: f32,
-    /// The paper as printed, errata included, or what it meant.
+    /// The paper literally, errata included, or what it meant.
     pub fidelity: Fidelity,
 }

@@ -25,7 +25,7 @@ impl Method for LocalizedCubemap {
     const INFO: Info = Info {
         id: "localized_cubemap",
         title: "Localized cube map",
-        summary: "a cube map with distances: its texels are discs at their surfaces, seen from the shaded point",
+        summary: "a cube map with distances: each texel is a disc at its surface, rescaled to the shaded point",
         references: &[Reference {
             authors: "L. Szirmay-Kalos, I. Lazányi",
             title: "Indirect Diffuse and Glossy Illumination on the GPU",

@@ -47,12 +47,12 @@ pub struct LocalizedCubemap {
     #[default(0)]
     #[schemars(range(max = MAX_BOUNCES))]
     pub bounces: u32,
-    /// Captures are reused while the reference point is no farther than this from theirs (P1 §2); 0:
-    /// always fresh.
+    /// Captures are reused while the reference point is at most this far from where they were made
+    /// (§2); 0: never reused.
     #[default(0.0)]
     #[schemars(range(min = 0.0, max = MAX_RECAPTURE_DISTANCE_M), extend("unit" = "m"))]
     pub recapture_distance: f32,
-    /// The paper as printed, errata included, or what it meant.
+    /// The paper literally, errata included, or what it meant.
     pub fidelity: Fidelity,
     /// `published` only: the solid angle of the text (l³) or of the shader (l²).
     pub solid_angle: SolidAngle,

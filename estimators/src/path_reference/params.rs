@@ -20,7 +20,7 @@ pub struct PathReference {
     #[default(0)]
     #[schemars(range(max = 64))]
     pub least_bounces: u32,
-    /// Occluders between a point and what it sees count.
+    /// Occluders between a point and the surfaces around it count.
     #[default(true)]
     pub indirect_visibility: bool,
     /// The receivers occlude and reflect.

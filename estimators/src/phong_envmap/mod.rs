@@ -17,7 +17,7 @@ impl Method for PhongEnvmap {
     const INFO: Info = Info {
         id: "phong_envmap",
         title: "Phong-filtered environment map",
-        summary: "a prefiltered environment map, one Phong lobe: what Kautz et al. compare theirs with",
+        summary: "an environment map prefiltered with one Phong lobe: the slow method with which Kautz et al. compare theirs",
         references: &[Reference {
             authors: "J. Kautz, K. Daubert, H.-P. Seidel",
             title: "Advanced Environment Mapping in VR Applications",

@@ -24,7 +24,7 @@ pub(super) fn claims(params: &PointFormFactor, quantity: Quantity) -> Vec<Claim>
             parameter: "resolution",
             values: ["4", "16"],
             within: 0.02,
-            cause: "a point stands for a texel: what is near counts too much or too little",
+            cause: "a point stands for a texel: near texels count too much or too little",
         });
         claims.push(Claim::Meets {
             answers: Answers::Smooth,

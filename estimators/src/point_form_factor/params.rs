@@ -23,12 +23,12 @@ pub struct PointFormFactor {
     #[default(0)]
     #[schemars(range(max = MAX_BOUNCES))]
     pub bounces: u32,
-    /// Captures are reused while the reference point is no farther than this from theirs; 0: always
-    /// fresh.
+    /// Captures are reused while the reference point is at most this far from where they were made; 0:
+    /// never reused.
     #[default(0.0)]
     #[schemars(range(min = 0.0, max = MAX_RECAPTURE_DISTANCE_M), extend("unit" = "m"))]
     pub recapture_distance: f32,
-    /// Largest solid angle that one texel counts; 0 for no bound.
+    /// Upper bound of a texel's solid angle; 0: no bound.
     #[default(0.0)]
     #[schemars(range(min = 0.0, max = 100.0), extend("unit" = "sr"))]
     pub clamp: f32,

@@ -23,7 +23,7 @@ impl Method for PolygonFormFactor {
     const INFO: Info = Info {
         id: "polygon_form_factor",
         title: "Polygon-to-point form factors",
-        summary: "the texels of a cube map with distances as quadrilaterals, by polygon-to-point form factors",
+        summary: "the texels of a cube map with distances as quadrilaterals, gathered by polygon-to-point form factors",
         references: &[Reference {
             authors: "T. Umenhoffer, L. Szirmay-Kalos",
             title: "Robust Diffuse Final Gathering on the GPU",

@@ -65,6 +65,6 @@ pub struct ShMipEnvmap {
     #[default(0)]
     #[schemars(range(max = MAX_BOUNCES))]
     pub bounces: u32,
-    /// The paper as printed, errata included, or what it meant.
+    /// The paper literally, errata included, or what it meant.
     pub fidelity: Fidelity,
 }

@@ -27,8 +27,8 @@ use interreflect_estimators::Quantity;
 use std::{ffi::OsString, path::PathBuf};
 use values::{choice, count, material, setting};
 
-/// Measures real-time indirect-illumination estimators against a path-traced reference and
-/// against what each claims to compute.
+/// Measures methods for real-time indirect illumination: time, error against a path-traced ground
+/// truth, and error against the value that each method claims to compute.
 #[derive(Clone, Debug, PartialEq, Parser)]
 #[command(name = "interreflect", version, disable_help_subcommand = true)]
 #[command(after_help = EXAMPLES, arg_required_else_help = false)]
@@ -55,25 +55,25 @@ Examples:
 pub enum Command {
     /// List scenes, estimators with their parameters, and Vulkan adapters
     List(List),
-    /// Run estimators on scenes: time them, compare them with what is true, write a report
+    /// Time estimators on scenes, compare them with their references, write a report
     Bench(Bench),
-    /// Vary parameters of estimators, scenes and the run: what each setting costs and gives
+    /// Vary parameters of estimators, scenes and the run; show cost and error of each setting
     Sweep(Sweep),
-    /// Put the parts of a sweep together that were run apart
+    /// Merge the shards of a sweep
     Merge(Merge),
     /// Render an image with one estimator
     Render(Render),
     /// Estimate at the points of a file
     Probe(Probe),
-    /// Path-trace the truth at points on the receivers
+    /// Path-trace the ground truth at points on the receivers
     Reference(ReferenceCommand),
-    /// Compare two images in linear HDR
+    /// Compare two linear HDR images
     Compare(Compare),
-    /// Make the report of a bench's folder again from its results and images
+    /// Rebuild the report of a bench from its results and images
     Report(ReportCommand),
-    /// Check what estimators must keep to, exact answers, and what they claim
+    /// Check the API contract, agreement of both backends, closed-form answers and each method's claims
     Verify(Verify),
-    /// Run the papers' own experiments and judge what they claim
+    /// Repeat the papers' experiments and judge their claims
     Reproduce(Reproduce),
 }
 
@@ -81,10 +81,10 @@ pub enum Command {
 #[derive(Clone, Debug, PartialEq, Args)]
 #[command(after_help = "Examples:\n  interreflect list\n  interreflect list --needs --json")]
 pub struct List {
-    /// Also show what each estimator asks of a backend before it can run
+    /// Also show the captures that each estimator declares
     #[arg(long)]
     pub needs: bool,
-    /// Print how the picture of each estimator's limits is made: id, then arguments of `bench`
+    /// Print how the figure of each estimator's limits is made: id, then arguments of `bench`
     #[arg(long, hide = true)]
     pub figures: bool,
     /// Print JSON
@@ -132,7 +132,7 @@ pub struct Probe {
     /// Print JSON instead of a table
     #[arg(long)]
     pub json: bool,
-    /// Folder to write the values to as well
+    /// Folder to write the values to
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 }
@@ -140,8 +140,8 @@ pub struct Probe {
 /// `interreflect reference`.
 #[derive(Clone, Debug, PartialEq, Args)]
 #[command(
-    after_help = "Stops at the first of --samples, --error and --seconds that is reached, \
-at whole rounds of samples.\n\nExamples:\n  interreflect reference divided-room --error .01 \
+    after_help = "Sampling stops when the first of --samples, --error and --seconds is \
+reached, after a whole round of samples.\n\nExamples:\n  interreflect reference divided-room --error .01 \
 --seconds 60\n  interreflect reference cornell-box --points 4096 --samples 1024 --seed 7 --json"
 )]
 pub struct ReferenceCommand {
@@ -170,7 +170,7 @@ pub struct ReferenceCommand {
     /// Print the values with their standard errors as JSON
     #[arg(long)]
     pub json: bool,
-    /// Folder to write the values to as well
+    /// Folder to write the values to
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 }
@@ -179,13 +179,13 @@ pub struct ReferenceCommand {
 #[derive(Clone, Debug, PartialEq, Args)]
 #[command(after_help = "Example:\n  interreflect compare estimate.exr reference.exr --out diff")]
 pub struct Compare {
-    /// The image to judge, EXR or HDR
+    /// Estimate, EXR or HDR
     #[arg(value_name = "A")]
     pub estimate: PathBuf,
-    /// The image that it is compared with, EXR or HDR
+    /// Reference image, EXR or HDR
     #[arg(value_name = "B")]
     pub reference: PathBuf,
-    /// Image of the standard error of B; without it B counts as exact
+    /// Standard error of B as an image; if not given, B counts as exact
     #[arg(long, value_name = "FILE")]
     pub standard_error: Option<PathBuf>,
     /// Print JSON instead of a table

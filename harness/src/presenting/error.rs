@@ -8,7 +8,8 @@ use crate::domain::files::FileError;
 pub enum PresentError {
     /// An image of a row has another size than the row's reference.
     #[error(
-        "{scene}: `{label}` is {width} × {height} pixels, its reference is not: render both alike"
+        "{scene}: `{label}` is {width} × {height} pixels, but its reference has another size; render both \
+         at the same size"
     )]
     Size {
         /// The scene.

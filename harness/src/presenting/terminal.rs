@@ -128,8 +128,7 @@ pub(crate) const SOFTWARE: &str =
     "sw: software adapter, runs on the CPU; its times say nothing about a GPU\n";
 
 /// What is said under a table with upper bounds.
-pub(crate) const UPPER_BOUND: &str =
-    "≲: the reference's own noise hides the difference: an upper bound\n";
+pub(crate) const UPPER_BOUND: &str = "≲: an upper bound, within the reference's noise\n";
 
 fn notes(runs: &[Run]) -> String {
     let mut notes = String::new();
@@ -148,9 +147,7 @@ fn notes(runs: &[Run]) -> String {
     let unsettled = frames().filter(|t| t.settled == Some(false)).count();
     if unsettled > 0 {
         let all = frames().count();
-        notes += &format!(
-            "{unsettled} of {all} frame times did not settle: --patience gives each phase more time\n"
-        );
+        notes += &format!("{unsettled} of {all} frame times did not settle; raise --patience\n");
     }
     if notes.is_empty() {
         notes

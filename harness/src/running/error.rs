@@ -66,7 +66,7 @@ pub enum JournalError {
         path: PathBuf,
     },
     /// It can't be read.
-    #[error("{}: {source}; give a folder that a sweep was written to", path.display())]
+    #[error("{}: {source}; name the --out folder of a sweep", path.display())]
     Read {
         /// The file.
         path: PathBuf,
@@ -74,7 +74,7 @@ pub enum JournalError {
         source: std::io::Error,
     },
     /// A line is not what a sweep writes.
-    #[error("{}, line {number}: {source}; delete the line to have its task run again", path.display())]
+    #[error("{}, line {number}: {source}; delete the line; its task then runs again", path.display())]
     Line {
         /// The file.
         path: PathBuf,

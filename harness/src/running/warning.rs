@@ -6,7 +6,7 @@ use interreflect_gpu::GpuError;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Warning {
     /// Every estimate will be black.
-    #[error("{scene}: nothing in it sends light; add a light, an emission or --environment FILE")]
+    #[error("{scene}: no light source; add a light, an emission or --environment FILE")]
     NoLight {
         /// The scene.
         scene: String,
@@ -29,6 +29,6 @@ pub enum Warning {
         percent: f64,
     },
     /// The CPU runs alone though both backends were asked for.
-    #[error("no GPU runs: {0}")]
+    #[error("the GPU backend is skipped: {0}")]
     NoGpu(GpuError),
 }

@@ -53,7 +53,7 @@ pub(super) struct Settings {
     /// A block stands in the corner and casts a shadow.
     #[default(true)]
     block: bool,
-    /// How far the receivers have moved along +x since captures were made.
+    /// Distance that the receivers have moved along +x since the captures were made.
     #[serde(rename = "receiver.moved")]
     #[default(0.0)]
     #[schemars(range(min = 0.0, max = 1.0), extend("unit" = "m"))]

@@ -37,7 +37,7 @@ pub(super) struct Settings {
     #[default(140.0)]
     #[schemars(range(min = 10.0, max = 170.0), extend("unit" = "°"))]
     angle_deg: f32,
-    /// Factor on the measured light; 1 is a dim picture, 3 a well exposed one.
+    /// Factor on the measured light; 1 gives a dim image, 3 a well-exposed one.
     #[serde(rename = "light.brightness")]
     #[default(3.0)]
     #[schemars(range(min = 0.0, max = 1000.0))]

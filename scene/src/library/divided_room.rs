@@ -31,7 +31,7 @@ pub(super) struct Settings {
     #[default(1.1)]
     #[schemars(range(min = 0.1, max = 1.9), extend("unit" = "m"))]
     depth: f32,
-    /// The cube map's place: the receiver's centre, or the passage that sees both halves.
+    /// Reference point: the receiver's centre, or the passage that sees both halves.
     reference: Reference,
     /// Longest side of the receiver.
     #[serde(rename = "receiver.size")]

@@ -59,7 +59,7 @@ pub(super) struct Settings {
     #[default(0.04)]
     #[schemars(range(min = 0.0, max = 1.0), extend("unit" = "m"))]
     gap: f32,
-    /// Where the front of the neighbours' model is, which they turn to the middle.
+    /// Axis that the front of the neighbours' model faces; it is turned to the middle.
     #[serde(rename = "neighbours.front")]
     front: Front,
     /// Cells along each side of the ground.

@@ -36,7 +36,7 @@ impl Recipe for Furnace {
     type Settings = Settings;
     const NAME: &'static str = "furnace";
     const SUMMARY: &'static str =
-        "closed room of uniform emission around a receiver: irradiance is π wherever it is open";
+        "closed room of uniform emission around a receiver: irradiance is π at unoccluded points";
 
     fn build(s: &Settings, receivers: &[String]) -> Result<Scene, SceneError> {
         let wall = Material {

@@ -1,4 +1,4 @@
-//! A rectangular pit in open ground: how open its floor is has a closed form.
+//! A rectangular pit in open ground: openness of its floor has a closed form.
 
 use super::{Recipe, sky};
 use crate::load::build::{Model, Parts};
@@ -53,7 +53,7 @@ impl Recipe for Pit {
     type Settings = Settings;
     const NAME: &'static str = "pit";
     const SUMMARY: &'static str =
-        "rectangular pit in open ground: its floor sees the sky through a rectangle";
+        "rectangular pit in open ground: openness of its floor has a closed form";
     const RECEIVERS: usize = 0;
     const BENCHED: bool = false;
 

@@ -31,7 +31,7 @@ pub(crate) struct Look {
     #[default(5.0)]
     #[schemars(range(min = 0.0, max = 1000.0), extend("symbol" = "n"))]
     shininess: f32,
-    /// How the receiver's shape moves, with a period of 2 s.
+    /// Deformation of the receiver, with a period of 2 s.
     #[serde(rename = "receiver.deformation")]
     deformation: Shape,
 }

@@ -116,7 +116,7 @@ fn check(path: &Path, content: &str) -> Result<Checked, SceneError> {
         }
     }
     match faces {
-        0 => Err(Place::file(path).error("there is no face (`f`) in it", "export a triangle mesh")),
+        0 => Err(Place::file(path).error("no face (`f`) found", "export a triangle mesh")),
         _ => Ok(checked),
     }
 }

@@ -132,8 +132,8 @@ pub(crate) fn camera_fault(camera: &Camera, motion: &CameraMotion) -> Option<Str
         nearest_to_origin(across(*a), across(*b)) <= LEAST_ACROSS * longest
     });
     lost.map(|[(from, _), (to, _)]| match from == to {
-        true => format!("the camera has no view at {from} s: eye and target are one, or `up` is parallel to the view"),
-        false => format!("the camera has no view at some time from {from} s to {to} s: it passes its target, or `up` comes to lie along the view"),
+        true => format!("the camera has no valid view at {from} s: eye and target coincide, or `up` is parallel to the view direction"),
+        false => format!("the camera has no valid view at some time from {from} s to {to} s: it passes through its target, or `up` becomes parallel to the view direction"),
     })
 }
 

@@ -209,7 +209,7 @@ fn unsound_motions_are_refused() {
                 let keys = vec![(0.0, [Vec3::Z, Vec3::ZERO]), (1.0, [-Vec3::Z, Vec3::ZERO])];
                 s.motion.camera = Some(CameraMotion::Keyframes(Track { keys }));
             },
-            "the camera has no view at some time from 0 s to 1 s",
+            "the camera has no valid view at some time from 0 s to 1 s",
         ),
     ] {
         let mut scene = moving();

@@ -31,7 +31,7 @@ pub(super) fn all() -> [Law; 6] {
         },
         Law {
             name: "form_factor_additive",
-            about: "four parts of a quadrilateral count what it counts",
+            about: "the four parts of a quadrilateral add up to it",
             law: FormFactorLaw::Additive,
             violation: additive,
             bound: 2e-6,
@@ -39,7 +39,7 @@ pub(super) fn all() -> [Law; 6] {
         },
         Law {
             name: "form_factor_closed",
-            about: "the faces of a box around a point count 1",
+            about: "the faces of a box around a point add up to 1",
             law: FormFactorLaw::Closed,
             violation: closed,
             bound: 3e-6,
@@ -47,7 +47,7 @@ pub(super) fn all() -> [Law; 6] {
         },
         Law {
             name: "form_factor_oriented",
-            about: "corners in the other order count as much, with the other sign",
+            about: "reversing the corners changes the sign only",
             law: FormFactorLaw::Oriented,
             violation: oriented,
             bound: 1e-6,

@@ -102,7 +102,7 @@ pub struct Finding {
 }
 
 impl Finding {
-    /// Whether it holds; a number that is none never does.
+    /// Whether it holds; NaN never does.
     pub fn holds(&self) -> bool {
         self.value <= self.bound
     }

@@ -28,7 +28,7 @@ pub enum VerifyError {
     /// What is compared can't be the same on both backends.
     #[error("{0}")]
     NotComparable(String),
-    /// A number that is none.
+    /// An estimate that is not finite.
     #[error("point {point} has the estimate {value}")]
     NotFinite {
         /// Index of the point.

@@ -18,7 +18,7 @@ interreflect bench colored-room --receiver bunny.obj --estimator localized_cubem
 --set fidelity=corrected\n  interreflect bench --backend cpu --json > results.json"
 )]
 pub struct Bench {
-    /// Scenes; the small ones of the library if none is given
+    /// Scenes; default: the small library scenes
     #[arg(value_name = "SCENE")]
     pub scenes: Vec<String>,
     /// What runs, and how.
@@ -38,10 +38,10 @@ pub struct Bench {
 /// What runs on the scenes, and how.
 #[derive(Clone, Debug, Default, PartialEq, Args)]
 pub struct What {
-    /// Estimator to run; repeat for several, all if none is given
+    /// Estimator to run; repeatable; default: all
     #[arg(long = "estimator", value_name = "ID")]
     pub estimators: Vec<String>,
-    /// Quantity to estimate; repeat for several, all that an estimator offers if none is given
+    /// Quantity to estimate; repeatable; default: all that an estimator offers
     #[arg(long = "quantity", value_name = "QUANTITY", value_parser = choice::<Quantity>())]
     pub quantities: Vec<Quantity>,
     /// Parameter, as `name=value`, or `id.name=value` where several estimators run; repeatable

@@ -14,14 +14,14 @@ use std::path::PathBuf;
 #[derive(Clone, Debug, Default, PartialEq, Args)]
 #[command(next_help_heading = "Scene")]
 pub struct SceneOptions {
-    /// `sphere`, `torus`, `blob` or an OBJ file to take the receiver's place, scaled to its size;
-    /// again for scenes that take several
+    /// Receiver: `sphere`, `torus`, `blob` or an OBJ file, scaled to the receiver's size; repeatable for
+    /// scenes with several
     #[arg(long, value_name = "FILE")]
     pub receiver: Vec<PathBuf>,
     /// Latitude-longitude image (HDR or EXR) as environment
     #[arg(long, value_name = "FILE")]
     pub environment: Option<PathBuf>,
-    /// Where cube maps are captured
+    /// Reference point: where cube maps are captured
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = vector)]
     pub reference_point: Option<Vec3>,
 }
@@ -44,13 +44,13 @@ pub struct RunOptions {
     /// Vulkan adapter: part of its name, or its number in `interreflect list`
     #[arg(long, value_name = "NAME")]
     pub adapter: Option<String>,
-    /// Threads of the CPU backend, at most 1024; all if not given
+    /// Threads of the CPU backend, at most 1024; default: all
     #[arg(long, value_name = "N", value_parser = threads)]
     pub threads: Option<usize>,
-    /// Instruction set of the CPU kernels; the best that the processor has if not given
+    /// Instruction set of the CPU kernels; default: the widest that the processor supports
     #[arg(long, value_name = "SET", value_parser = choice::<InstructionSet>())]
     pub instruction_set: Option<InstructionSet>,
-    /// Seed of everything random
+    /// Random seed
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(..=u64::from(u32::MAX)))]
     pub seed: u64,
 }
@@ -71,13 +71,13 @@ impl RunOptions {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Args)]
 #[command(next_help_heading = "Timing")]
 pub struct TimingOptions {
-    /// At most so many times for each phase
+    /// Largest number of repetitions of each phase
     #[arg(long, value_name = "N", value_parser = count)]
     pub repeat: Option<usize>,
-    /// Good enough is a median known to this fraction, by its 95 % interval
+    /// Stop once the median's 95 % confidence interval is within ± this fraction of it
     #[arg(long, value_name = "FRACTION", value_parser = fraction)]
     pub spread: Option<f64>,
-    /// Milliseconds for each phase, its warm-up included
+    /// Time limit of each phase in milliseconds, warm-up included
     #[arg(long, value_name = "MS", value_parser = milliseconds)]
     pub patience: Option<f64>,
 }
@@ -103,10 +103,10 @@ pub struct ReferenceOptions {
     /// Samples per point
     #[arg(long, value_name = "N", value_parser = count)]
     pub samples: Option<usize>,
-    /// Relative standard error of the mean, such as .01
+    /// Stop at this relative standard error of the mean, such as .01
     #[arg(long, value_name = "FRACTION", value_parser = fraction)]
     pub error: Option<f64>,
-    /// Time for each reference
+    /// Time limit of each reference
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub seconds: Option<f64>,
 }
@@ -130,7 +130,7 @@ pub enum Backends {
     Cpu,
     /// A Vulkan device
     Gpu,
-    /// First the one, then the other
+    /// CPU, then GPU
     #[default]
     Both,
 }

@@ -1,4 +1,4 @@
-//! The words of `render`.
+//! Options of `render`.
 
 use super::values::{choice, rate, setting};
 use super::{Backends, RunOptions, SceneOptions};
@@ -26,7 +26,7 @@ pub struct Render {
     /// Estimator to render with
     #[arg(long, value_name = "ID")]
     pub estimator: String,
-    /// Quantity to show; reflected light in the scene's own colours if none is given
+    /// Quantity to show; default: reflected light in the scene's colours
     #[arg(long, value_name = "QUANTITY", value_parser = choice::<Quantity>())]
     pub quantity: Option<Quantity>,
     /// Parameter of the estimator; repeatable
@@ -35,28 +35,28 @@ pub struct Render {
     /// Which backends to run on
     #[arg(long, value_enum, default_value = "cpu")]
     pub backend: Backends,
-    /// Width in pixels; the scene's own if not given
+    /// Width in pixels; default: the scene's
     #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(1..=16384))]
     pub width: Option<u32>,
-    /// Height in pixels; the scene's own if not given
+    /// Height in pixels; default: the scene's
     #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(1..=16384))]
     pub height: Option<u32>,
-    /// Where the estimator is asked: at each pixel's surface, or at the vertices of the meshes
+    /// Where the estimator is evaluated: at the surface in each pixel, or at the vertices of the meshes
     #[arg(long = "shade-at", value_name = "WHERE", default_value = "pixels")]
     #[arg(value_parser = choice::<ShadedAt>())]
     pub shaded_at: ShadedAt,
-    /// What the image shows: the camera's view, or the pictures from the lights that the estimator takes
+    /// Image to write: the camera's view, or the reflective shadow maps that the estimator uses
     #[arg(long, value_name = "WHAT", default_value = "camera", value_parser = choice::<Show>())]
     pub show: Show,
-    /// What mirrors show of indirect light: nothing, their own as if they were diffuse, or that of the
-    /// surfaces in them
+    /// Indirect light in mirrors: none, that of the mirror as if it were diffuse, or that of the surfaces
+    /// seen in it
     #[arg(long, value_name = "WHAT", default_value = "included")]
     #[arg(value_parser = choice::<Mirrors>())]
     pub mirrors: Mirrors,
-    /// Number of images of a scene that moves, numbered; a single one of the scene at rest if not given
+    /// Number of frames of a moving scene; default: one image of the scene at rest
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub frames: Option<u32>,
-    /// Images per second of the scene's time
+    /// Frames per second of scene time
     #[arg(long, value_name = "RATE", default_value = "30", value_parser = rate)]
     pub fps: f32,
     /// Changes to the scene.
@@ -79,7 +79,7 @@ pub struct Render {
 pub enum Show {
     /// The scene, as the camera sees it.
     Camera,
-    /// The estimator's pictures from the lights.
+    /// The estimator's reflective shadow maps.
     LightView,
 }
 

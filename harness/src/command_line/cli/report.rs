@@ -20,7 +20,7 @@ pub struct ReportCommand {
 /// An image viewer to show images in.
 #[derive(Clone, Debug, Default, PartialEq, Args)]
 pub struct TevOption {
-    /// Send the truth and all estimates to a running tev, at localhost:14158 if nothing else is said
+    /// Send the ground truth and all estimates to a running tev (default: localhost:14158)
     #[arg(long, value_name = "HOST:PORT", num_args = 0..=1, require_equals = true)]
     #[arg(default_missing_value = Tev::ADDRESS)]
     pub tev: Option<String>,

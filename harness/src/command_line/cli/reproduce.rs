@@ -1,4 +1,4 @@
-//! The words of `reproduce`.
+//! Options of `reproduce`.
 
 use super::{Backends, RunOptions};
 use clap::Args;
@@ -7,9 +7,9 @@ use std::path::PathBuf;
 /// `interreflect reproduce`.
 #[derive(Clone, Debug, PartialEq, Args)]
 #[command(
-    after_help = "Every experiment states the paper's claim and the rule by which it holds, holds \
-in part or does not hold. Models are looked for in assets/, or in the folder that INTERREFLECT_ASSETS \
-names; `make assets` brings them.\n\nExamples:\n  interreflect reproduce --list\n  interreflect \
+    after_help = "Each experiment states the paper's claim and the rule by which it holds, holds \
+in part or does not hold. Models are read from assets/ (or $INTERREFLECT_ASSETS); `make assets` \
+downloads them.\n\nExamples:\n  interreflect reproduce --list\n  interreflect \
 reproduce all --quick --out results\n  interreflect reproduce szirmay-kalos.3 frisvad.table1\n  \
 interreflect reproduce sattler --backend cpu --json"
 )]
@@ -22,7 +22,7 @@ pub struct Reproduce {
     #[arg(long)]
     pub list: bool,
 
-    /// Fewer points, samples and cases: all of them in some minutes
+    /// Use fewer points, samples and cases: all experiments take a few minutes
     #[arg(long)]
     pub quick: bool,
 
@@ -38,7 +38,7 @@ pub struct Reproduce {
     #[arg(long)]
     pub json: bool,
 
-    /// Folder for reproduce.json, reproduce.html and pictures
+    /// Folder for reproduce.json, reproduce.html and images
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 }

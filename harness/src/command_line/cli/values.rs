@@ -21,7 +21,7 @@ pub(super) fn choice<C: Choice + Send + Sync>() -> impl TypedValueParser<Value =
     let names = PossibleValuesParser::new(C::all().into_iter().map(|(name, _)| name));
     names.try_map(|given| {
         let found = C::all().into_iter().find(|(name, _)| *name == given);
-        found.map(|(_, value)| value).ok_or("not one of the names")
+        found.map(|(_, value)| value).ok_or("unknown name")
     })
 }
 

@@ -11,21 +11,21 @@ use std::path::PathBuf;
 /// `interreflect verify`.
 #[derive(Clone, Debug, PartialEq, Args)]
 #[command(
-    after_help = "Every estimator in each fidelity faces the rules of the house, the exact answers \
-that its own model has, and its own claims, tried in random worlds. Captures and maps are small \
-unless --set says otherwise. A check that fails tells the smallest world in which it does, and the \
-command that shows it; the exit code is then 1.\n\nExamples:\n  interreflect verify\n  \
+    after_help = "Every estimator, in each fidelity, is checked against the API contract, the other \
+backend, the closed-form answers of its own model and its own claims, these in random scenes. \
+Captures and maps are small unless --set says otherwise. A failure reports a shrunk counterexample \
+and the command that repeats it; the exit code is then 1.\n\nExamples:\n  interreflect verify\n  \
 interreflect verify --estimator polygon_form_factor --backend cpu\n  interreflect verify --estimator \
 localized_cubemap --check bounded --cases 200 --json\n  interreflect verify --extremes --out extremes"
 )]
 pub struct Verify {
-    /// Estimator to check; repeat for several, all if none is given
+    /// Estimator to check; repeatable; default: all
     #[arg(long = "estimator", value_name = "ID")]
     pub estimators: Vec<String>,
-    /// Quantity to check; repeat for several, all that an estimator offers if none is given
+    /// Quantity to check; repeatable; default: all that an estimator offers
     #[arg(long = "quantity", value_name = "QUANTITY", value_parser = choice::<Quantity>())]
     pub quantities: Vec<Quantity>,
-    /// Check to carry out; repeat for several, all if none is given
+    /// Check to run; repeatable; default: all
     #[arg(long = "check", value_name = "NAME")]
     pub checks: Vec<String>,
     /// Parameter, as `name=value`, or `id.name=value` where several estimators are checked
@@ -34,14 +34,14 @@ pub struct Verify {
     /// Which backends to check
     #[arg(long, value_enum, default_value = "both")]
     pub backend: Backends,
-    /// Random worlds that each claim is tried in
+    /// Random scenes in which each claim is tried
     #[arg(long, value_name = "N", default_value = "8", value_parser = count)]
     pub cases: usize,
-    /// One world instead of random ones, as a failed check tells it
+    /// Run one scene instead of random ones: the counterexample that a failed check printed
     #[arg(long, value_name = "JSON")]
     pub case: Option<Case>,
-    /// Instead of checks: how far each estimator is from the same formula in float64 where scenes,
-    /// light, points and maps are at the extremes
+    /// Measure instead how far each estimator departs from the same formula in float64 for extreme
+    /// scenes, light, points and maps
     #[arg(long, conflicts_with_all = ["checks", "case", "cases"])]
     pub extremes: bool,
     /// How to run.

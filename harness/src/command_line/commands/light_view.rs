@@ -35,7 +35,7 @@ pub(super) fn run(
     let needs = method.needs(quantity, &scene.facts())?;
     if needs.light_views.is_empty() {
         return Err(CommandError::Usage(format!(
-            "--show light_view: {} takes no pictures from the lights; `interreflect list --needs` \
+            "--show light_view: {} uses no reflective shadow maps; `interreflect list --needs` \
              says which estimators do",
             command.estimator
         )));

@@ -22,12 +22,12 @@ pub fn bias_floors(floors: &[Floor]) -> Vec<Tables> {
         scene: group[0].scene.clone(),
         quantity: group[0].quantity.clone(),
         tables: vec![Table {
-            caption: "Bias floor: what each model leaves out of the truth".into(),
+            caption: "Bias floor: error of each own model against the ground truth".into(),
             head: ["estimator", "its model", "relMSE", "energy"]
                 .map(Into::into)
                 .into(),
             rows: group.iter().map(row).collect(),
-            note: "A method that computed its model without any error would still be off by this."
+            note: "The error that would remain if the method computed its own model exactly."
                 .into(),
         }],
     };
@@ -60,11 +60,11 @@ fn split_table(group: &[&ErrorBreakdown]) -> Tables {
         scene: group[0].scene.clone(),
         quantity: group[0].quantity.clone(),
         tables: vec![Table {
-            caption: "What the error is made of, from the truth to the estimate".into(),
+            caption: "Error breakdown, from the ground truth to the estimate".into(),
             head: std::iter::once("estimator".into()).chain(parts).collect(),
             rows: group.iter().map(row).collect(),
-            note: "Each step: its mean over the truth's mean (steps add up to what the estimate is off by), \
-                   and its relMSE. ≈: inside the noise of the references."
+            note: "Each cell: mean of the step over the truth's mean (the steps add up to the total bias), \
+                   and its relMSE in brackets. ≈: within the references' noise."
                 .into(),
         }],
     }

@@ -5,10 +5,10 @@ use crate::presenting::terminal;
 /// Marks with what they mean.
 const NOTES: [(&[&str], &str); 7] = [
     (&["* "], "*: the best within this limit\n"),
-    (&["≈ "], "≈: can't be told apart from the best\n"),
+    (&["≈ "], "≈: not distinguishable from the best\n"),
     (
         &["? "],
-        "?: might be better, with a sample count that was not measured\n",
+        "?: another sample count, not measured, might be better\n",
     ),
     (
         &[" < "],

@@ -80,10 +80,10 @@ impl Front {
         };
         let members = self.members.iter().map(|member| match member.certain() {
             true => row(member, "front"),
-            false => row(member, "front, inside the noise"),
+            false => row(member, "front (within noise)"),
         });
         let contenders = self.contenders.iter();
-        let contenders = contenders.map(|c| row(c, "behind it, inside the noise"));
+        let contenders = contenders.map(|c| row(c, "possible front (within noise)"));
         Sheet {
             problem: self.problem.clone(),
             table: table::Table {
@@ -203,12 +203,18 @@ fn floor_sheet(floors: &[Floor], metric: Metric) -> Sheet {
         ]
     };
     let open = floors.iter().any(|f| !f.reached);
-    let note = "open: nothing slower was measured; more time may lower it";
+    let note = "open: no slower run was measured; more time may lower the error";
     Sheet {
         problem: floors[0].problem.clone(),
         table: table::Table {
             caption: format!(": least {metric} of each method"),
-            head: words(["soonest at", "floor", "on", "frame ms", "least error"]),
+            head: words([
+                "fastest run at floor",
+                "floor",
+                "on",
+                "frame ms",
+                "least error",
+            ]),
             rows: floors.iter().map(row).collect(),
             note: if open { note.into() } else { String::new() },
         },

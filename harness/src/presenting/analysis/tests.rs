@@ -52,7 +52,7 @@ fn conclusions_fit_the_width_and_say_it_all() {
             "nothing is extrapolated",
             "≈ 0.110",
             "within noise of polygon_form_factor",
-            "≈: can't be told apart",
+            "≈: not distinguishable",
         ] {
             assert!(text.contains(words), "no {words} at {width}:\n{text}");
         }
@@ -77,7 +77,7 @@ fn advice_says_how_to_run_it_again() {
         "localized_cubemap, resolution=4: 4.00 (3.60–4.40) ms, relMSE against the truth 0.100",
         "--estimator localized_cubemap --set localized_cubemap.resolution=4",
         "at most 0.100 ms, error at most 0.200",
-        "nothing does; nearest: constant_ambient",
+        "no run is within the limits; nearest: constant_ambient",
         "on gpu sw",
         "software adapter",
     ] {

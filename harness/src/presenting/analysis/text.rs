@@ -84,14 +84,14 @@ impl Advice {
             } => {
                 line(choice, "");
                 if !sure {
-                    text += "    a limit is inside its noise\n";
+                    text += "    the result lies within noise of the limit\n";
                 }
                 if !alike.is_empty() {
                     let _ = writeln!(text, "    within noise of {}", named(alike));
                 }
             }
             Answer::Nothing { by_time, by_error } => {
-                line(by_time, "nothing does; nearest: ");
+                line(by_time, "no run is within the limits; nearest: ");
                 if by_error != by_time {
                     line(by_error, "or: ");
                 }

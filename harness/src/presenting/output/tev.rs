@@ -102,7 +102,7 @@ pub enum TevError {
         source: io::Error,
     },
     /// The connection broke.
-    #[error("tev at {address} takes no more images: {source}")]
+    #[error("tev at {address} accepts no more images: {source}")]
     Send {
         /// Host and port.
         address: String,

@@ -69,7 +69,7 @@ impl Task {
         match self {
             Self::Run(method, backend) => format!("{} on {backend}", method.info().id),
             Self::Baseline(method) => format!("{} for comparison", method.info().id),
-            Self::Floor(method) => format!("what {} leaves out", method.info().id),
+            Self::Floor(method) => format!("bias floor of {}", method.info().id),
             Self::Split(method) => format!("the error of {}", method.info().id),
         }
     }

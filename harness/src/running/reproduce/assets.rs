@@ -54,7 +54,7 @@ impl Assets {
                 name: format!("blob (for {name})"),
                 receiver: "blob".into(),
                 note: Some(format!(
-                    "{name}.obj not found: blob in its place; `make assets` brings public models"
+                    "{name}.obj not found, `blob` is used instead; `make assets` downloads the models"
                 )),
             },
         }
@@ -89,7 +89,7 @@ mod tests {
         assert!(
             model
                 .note
-                .is_some_and(|n| n.starts_with("bunny.obj not found: blob in its place"))
+                .is_some_and(|n| n.starts_with("bunny.obj not found, `blob` is used instead"))
         );
     }
 }

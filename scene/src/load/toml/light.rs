@@ -194,7 +194,7 @@ impl LightTable {
                     true => Ok(intensity),
                     false => Err(source.at(flux).error(
                         format!(
-                            "`flux` in {omega_sr:e} sr is no intensity up to {LARGEST_POWER:e} W/sr"
+                            "`flux` in {omega_sr:e} sr exceeds an intensity of {LARGEST_POWER:e} W/sr"
                         ),
                         "lower it or widen the light's angle",
                     )),

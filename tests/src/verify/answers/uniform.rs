@@ -53,7 +53,7 @@ pub(super) fn all() -> Vec<Answer> {
         ),
         answer(
             "furnace_of_albedo",
-            "a box that emits 1 and reflects a half gives what its reflections sum up to",
+            "a box that emits 1 and reflects a half gives the sum of its reflections",
             Answers::Uniform,
             reflecting,
         ),

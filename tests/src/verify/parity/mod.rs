@@ -34,17 +34,17 @@ pub(super) fn all() -> [Parity; 4] {
         },
         Parity {
             name: "leaf_parity",
-            about: "leaf functions give in float32, in lanes and in WGSL what they give in float64",
+            about: "leaf functions agree in float32, in lanes and in WGSL with float64",
             find: leaves::parity,
         },
         Parity {
             name: "record_parity",
-            about: "prepare makes the same numbers on both backends, of the same captures",
+            about: "both backends prepare the same records from the same captures",
             find: |subject, context| in_worlds(subject, context, records::in_world),
         },
         Parity {
             name: "estimate_parity",
-            about: "both backends estimate the same, of the same captures",
+            about: "both backends give the same estimates from the same captures",
             find: |subject, context| in_worlds(subject, context, estimates::in_world),
         },
     ]

@@ -45,7 +45,7 @@ pub(super) fn all() -> [Property; 5] {
         },
         Property {
             name: "distance_free",
-            about: "at the reference point the same however far away things are",
+            about: "at the reference point, distance does not matter",
             bound: |claim| matches!(claim, Claim::DistanceFree).then_some((0.0, "")),
             tried: Some(0.0),
             slack: Slack::Edges,

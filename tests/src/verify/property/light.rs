@@ -10,7 +10,7 @@ pub(super) fn all() -> [Property; 5] {
     [
         Property {
             name: "non_negative",
-            about: "no estimate is below zero where no radiance is",
+            about: "no estimate is negative where radiance is not",
             bound: |claim| matches!(claim, Claim::NonNegative).then_some((0.0, "")),
             tried: Some(0.0),
             slack: Slack::Rounding,
@@ -19,7 +19,7 @@ pub(super) fn all() -> [Property; 5] {
         },
         Property {
             name: "bounded",
-            about: "no estimate is above what surroundings of the greatest radiance give",
+            about: "no estimate exceeds that of uniform surroundings of the greatest radiance",
             bound: |claim| match *claim {
                 Claim::Bounded { by, cause } => Some((by, cause)),
                 _ => None,
@@ -31,7 +31,7 @@ pub(super) fn all() -> [Property; 5] {
         },
         Property {
             name: "linear",
-            about: "a sum of light gives the sum of the estimates",
+            about: "the estimate of a sum of lights is the sum of the estimates",
             bound: |claim| matches!(claim, Claim::Linear).then_some((0.0, "")),
             tried: Some(0.0),
             slack: Slack::Rounding,
@@ -40,7 +40,7 @@ pub(super) fn all() -> [Property; 5] {
         },
         Property {
             name: "dark_from_behind",
-            about: "light from behind the surface counts nothing",
+            about: "light from behind the surface contributes nothing",
             bound: |claim| matches!(claim, Claim::DarkFromBehind).then_some((0.0, "")),
             tried: Some(0.0),
             slack: Slack::Edges,
@@ -66,7 +66,7 @@ pub(super) fn all() -> [Property; 5] {
 }
 
 fn no_light(quantity: Quantity) -> Option<&'static str> {
-    (quantity == Quantity::AmbientOcclusion).then_some("openness knows no light")
+    (quantity == Quantity::AmbientOcclusion).then_some("openness does not depend on light")
 }
 
 fn non_negative(subject: &MethodUnderTest<'_>, world: &World) -> Result<Worst, VerifyError> {

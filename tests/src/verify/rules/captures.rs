@@ -23,7 +23,7 @@ pub(super) fn all() -> [Rule; 3] {
         ),
         rule(
             "declares_what_it_reads",
-            "no other capture can be read, and what is not in a scene is not asked for",
+            "no undeclared capture can be read, and none is declared that the scene cannot have",
             |subject, scene, points| staged(subject, scene, points, What::ReadsNothingElse),
         ),
         rule(

@@ -32,7 +32,7 @@ pub(super) fn all() -> [Rule; 6] {
         ),
         in_scene(
             "no_surface",
-            "points without a surface get nothing",
+            "points without a surface get zero",
             no_surface,
         ),
         in_scene(
@@ -42,10 +42,10 @@ pub(super) fn all() -> [Rule; 6] {
         ),
         in_world(
             "channels",
-            "what one colour sends does not change another's estimate",
+            "colour channels do not affect each other",
             channels,
         ),
-        in_world("dark", "where nothing sends light there is none", dark),
+        in_world("dark", "a scene without light gives zero", dark),
     ]
 }
 
@@ -109,7 +109,9 @@ fn threads_and_instructions(
     points: &Points,
 ) -> Outcome {
     if matches!(subject.backend, TestBackend::Gpu(..)) {
-        return Err(Nothing::NotApplicable("a device has neither".into()));
+        return Err(Nothing::NotApplicable(
+            "GPUs have neither threads nor instruction sets to vary".into(),
+        ));
     }
     let lists = std::slice::from_ref(points);
     let first = subject.estimates(scene, lists)?;
@@ -176,7 +178,9 @@ fn channels(subject: &MethodUnderTest<'_>, mut world: World) -> Outcome {
 
 fn dark(subject: &MethodUnderTest<'_>, world: World) -> Outcome {
     if subject.quantity == Quantity::AmbientOcclusion {
-        return Err(Nothing::NotApplicable("openness knows no light".into()));
+        return Err(Nothing::NotApplicable(
+            "openness does not depend on light".into(),
+        ));
     }
     let mut scene = world.scene();
     for material in &mut scene.materials {

@@ -29,7 +29,7 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         id: "frisvad.3",
         paper: Paper::Frisvad,
         item: "Figure 3",
-        title: "Cornell box beside radiosity",
+        title: "Cornell box against radiosity",
         claim: "Colour bleeding in the Cornell box is comparable with radiosity's. Path tracing \
             stands in for radiosity.",
         rule: RULE_OF_COLOUR,
@@ -39,7 +39,7 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         id: "frisvad.4",
         paper: Paper::Frisvad,
         item: "Figure 4",
-        title: "cave beside a photon map",
+        title: "cave against a photon map",
         claim: "Light of a lantern in a cave is comparable with a photon map's. Path tracing \
             stands in for the photon map.",
         rule: RULE_OF_LIGHT,
@@ -50,8 +50,8 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         paper: Paper::Frisvad,
         item: "Figure 5",
         title: "light over a mirror",
-        claim: "What the light shines at over mirrors becomes a light as well. Taken as: the \
-            lantern of the cave turned to its mirror.",
+        claim: "Surfaces that a mirror illuminates become lights as well. Test: the cave's lantern is \
+            turned to its mirror.",
         rule: "A trial is a backend: with the mirror, irradiance is nearer, in mean squared error, \
             to the own model with the mirror than the same map is with a black mirror in its \
             place; and of the light that the mirror brings to all points between half and twice as \
@@ -63,9 +63,9 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         id: "frisvad.6",
         paper: Paper::Frisvad,
         item: "Figure 6",
-        title: "pictures of the map",
-        claim: "The pictures from the light hold positions, radiances and normals of what it \
-            shines at first.",
+        title: "contents of the reflective shadow map",
+        claim: "The reflective shadow maps hold position, radiance and normal of the surfaces that \
+            the light hits first.",
         rule: "A trial is a scene and a backend: less than one in a hundred photons lies elsewhere \
             than the place that a ray along its texel meets first, by a thousandth of the way; and \
             radiance differs from ρ/π·E·cos α there by less than 1 % rms.",
@@ -76,8 +76,8 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         paper: Paper::Frisvad,
         item: "Figure 7",
         title: "a large scene in motion",
-        claim: "Nothing restricts geometry or dynamics: every frame is complete by itself. Taken \
-            as: a light that moves through a large scene.",
+        claim: "Nothing restricts geometry or dynamics: every frame is complete by itself. Test: \
+            a light that moves through a large scene.",
         rule: "A trial is a backend: over all frames a session that goes on from frame to frame \
             estimates what a new one does, within a thousandth of the mean; and in the middle of \
             the sequence it is nearer to the truth, beyond its noise, than no indirect light at \
@@ -89,8 +89,8 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         paper: Paper::Frisvad,
         item: "Figure 8",
         title: "mirrors without, with faked and with indirect light",
-        claim: "In a mirror, (a) missing indirect light is seen, (b) the visual trick of taking \
-            the mirror for diffuse hides it, (c) light estimated at what it shows is right.",
+        claim: "In a mirror, (a) missing indirect light is seen, (b) treating the mirror as diffuse \
+            hides it, (c) light estimated at the surfaces seen in it is right.",
         rule: "A trial is a pair on a backend: at the pixels of mirrors, (b) is nearer to the picture \
             with path-traced light than (a), and (c) is nearer than (b), in mean squared error \
             beyond the reference's noise. Indirect light of all three is brought to the truth's \
@@ -103,7 +103,7 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         item: "Figure 9",
         title: "surfaces that are not Lambertian",
         claim: "With normals and true colours in the map, lit surfaces may reflect by any law. \
-            Taken as: a Cornell box of glossy walls.",
+            Test: a Cornell box of glossy walls.",
         rule: "A trial is a fidelity and a backend: irradiance is nearer to path-traced truth, in \
             mean squared error beyond its noise, where lit surfaces reflect by their whole \
             material than by Lambert's law.",

@@ -15,8 +15,8 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         item: "Figure 3",
         title: "diffuse and glossy objects",
         claim: "Nine spherical harmonics, projected from a cube map of 8² texels a face, light a \
-            diffuse object as the whole environment does, and are made anew in every frame. Taken \
-            as: the irradiance of a model under several environments, against the exact \
+            diffuse object as the whole environment does, and are made anew in every frame. Test: \
+            the irradiance of a model under several environments, against the exact \
             convolution.",
         rule: "A trial is an environment and a backend: the irradiance differs from the exact \
             convolution by less than 5 % rms of its mean; and preparing both maps takes less time \
@@ -55,7 +55,7 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         item: "Figure 6",
         title: "bias b and Fresnel term f_λ",
         claim: "The bias b on the mip level sets how blurred an object's reflections are, f_λ how \
-            strong they are. Taken as: a grid of pictures over both.",
+            strong they are. Test: a grid of pictures over both.",
         rule: "A trial is a step of the grid on a backend: with each step of b neighbouring pixels \
             differ less, f_λ kept; with each step of f_λ the picture is farther from that of f_λ = \
             0, rms, b kept.",

@@ -32,8 +32,8 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         paper: Paper::Sattler,
         item: "Figure 5",
         title: "number of directions",
-        claim: "More directions come nearer to the true occlusion; a few hundred are enough. Taken \
-            as: openness of a model with 6, 18, 66, 258 and, unless quick, 1,026 directions.",
+        claim: "More directions come nearer to the true occlusion; a few hundred are enough. Test: \
+            openness of a model with 6, 18, 66, 258 and, unless quick, 1,026 directions.",
         rule: "A trial is a step on a backend: with four times as many directions the mean squared \
             error against traced rays falls by more than their noise; and with 258 the difference \
             is less than 5 % rms of the mean.",
@@ -45,7 +45,8 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         item: "Figure 6",
         title: "depth bias, and the lists U and T",
         claim: "A slope-scaled depth bias keeps surfaces from occluding themselves; the lists of \
-            unseen triangles and of vertices to do leave the picture as it is. Taken as both.",
+            unseen triangles (U) and of vertices to evaluate (T) do not change the image. Both are \
+            tested.",
         rule: "A trial is a rival or a picture on a backend: with the slope-scaled bias openness \
             is nearer to traced rays, in mean squared error beyond their noise, than with a \
             constant one and with none; and filtering changes the pixels of a turning camera's \
@@ -57,7 +58,7 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         paper: Paper::Sattler,
         item: "Figure 7",
         title: "models under environments",
-        claim: "Any environment lights a model, occluded. Taken as: models under several \
+        claim: "Any environment lights a model, occluded. Test: models under several \
             environments, beside the same light without occlusion.",
         rule: RULE_OF_OCCLUSION,
         run: occluded::environments,
@@ -67,7 +68,7 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         paper: Paper::Sattler,
         item: "Figure 8",
         title: "models that shadow each other",
-        claim: "Objects shadow each other and the ground. Taken as: a model between two others on \
+        claim: "Objects shadow each other and the ground. Test: a model between two others on \
             ground under a sky.",
         rule: RULE_OF_OCCLUSION,
         run: occluded::group,
@@ -101,7 +102,7 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         id: "sattler.frame-rate",
         paper: Paper::Sattler,
         item: "§4.2",
-        title: "a frame rate that is held",
+        title: "holding a frame rate",
         claim: "While the model moves the number of directions is lowered so that a frame rate is \
             held; at rest it is refined again.",
         rule: "A trial is a backend: of a rate between what the full level reaches and what one of \

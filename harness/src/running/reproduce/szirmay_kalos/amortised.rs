@@ -17,7 +17,7 @@ use interreflect_scene::{Estimate, Points, Role};
 /// Metres that the object has moved since the map was made.
 const MOVED_M: [f32; 4] = [0.0, 0.125, 0.25, 0.5];
 
-/// Metres up to which a kept map has to do.
+/// Metres up to which a reused map has to do.
 const NEAR_M: f32 = 0.25;
 
 /// Largest factor on the error that counts as serving as well.
@@ -71,7 +71,7 @@ fn moved_by(
     let mut row = Row::against(&*case, "truth", view.image(&truth.values), view.surfaces());
     for backend in context.backends() {
         let mut runs = Vec::new();
-        for (label, within_m) in [("fresh", 0.0), ("kept", 1.0)] {
+        for (label, within_m) in [("fresh", 0.0), ("reused", 1.0)] {
             let method = map(context, within_m)?;
             let measured =
                 context.run_timed(&room, backend, &*method, Quantity::Irradiance, &points)?;
@@ -85,7 +85,7 @@ fn moved_by(
             let software = context.software(backend);
             weigh(
                 (&case, backend, software),
-                ("kept", kept),
+                ("reused", kept),
                 ("fresh", fresh),
                 moved <= NEAR_M,
                 finding,
@@ -225,7 +225,7 @@ mod tests {
         let weighed = |cheap: Cost, dear: Cost, near: bool| {
             let mut finding = Finding::default();
             let at = ("case", Backend::Cpu, false);
-            weigh(at, ("kept", cheap), ("fresh", dear), near, &mut finding);
+            weigh(at, ("reused", cheap), ("fresh", dear), near, &mut finding);
             assert_eq!(finding.measured.len(), 4);
             assert_eq!(finding.measured[0].value, cheap.0.value);
             assert_eq!(finding.measured[3].value, dear.1.value);

@@ -7,7 +7,7 @@ use super::{Experiment, Paper};
 use models::Reflection::{Diffuse, Specular};
 
 const CLAIM_OF_MODELS: &str = "Localized cube maps of few texels come close to the reference \
-    wherever the model stands, classic environment mapping does not. Taken as: the model in the \
+    wherever the model stands, classic environment mapping does not. Test: the model in the \
     middle of a coloured room, half-way to a wall and beside it, at M = 2, 4 and 16.";
 const RULE_OF_MODELS: &str = "A trial is a place, M and backend: the published map's mean squared \
     error against a path-traced reference is below classic mapping's by more than the reference's \
@@ -56,11 +56,11 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         id: "szirmay-kalos.amortised",
         paper: Paper::SzirmayKalos,
         item: "§2",
-        title: "one map for several moments and objects",
+        title: "one cube map for several frames and objects",
         claim: "One cube map serves several objects, or one that moves; it is made again only when \
             the object has moved far.",
-        rule: "A trial is a distance moved and a backend: a frame with the kept map takes less \
-            time than one with a fresh map, beyond the spread of both; and, up to a quarter of the \
+        rule: "A trial is a distance moved and a backend: a frame with the reused cube map takes \
+            less time than one with a fresh map, beyond the spread of both; and, up to a quarter of the \
             half-width of the room, its mean squared error against the truth is less than twice \
             that of the fresh map, beyond the reference's noise. For two objects: the same, one \
             map between them against a map for each.",

@@ -13,7 +13,7 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         item: "Figure 4",
         title: "spikes near a wall",
         claim: "Point-to-point form factors spike near a wall, point-to-polygon form factors do \
-            not. Taken as: a plane that faces a wall of a coloured room, ever nearer, M = 4.",
+            not. Test: a plane that faces a wall of a coloured room, ever nearer, M = 4.",
         rule: "A trial is a distance, within a quarter of a texel's width, and a backend: the \
             largest excess over the truth, beyond its noise, is for points more than the truth's \
             mean, and for polygons, published and corrected, less than half of that for points.",
@@ -25,12 +25,12 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         item: "Figure 5",
         title: "an object on the floor, beside the reference",
         claim: "Of classic mapping, point-to-point and point-to-polygon form factors, polygons \
-            look most like the reference. Taken as: a model a centimetre above the floor, M = 4 \
+            look most like the reference. Test: a model a centimetre above the floor, M = 4 \
             and 8.",
         rule: "A trial is an M, a fidelity, a rival and a backend: polygons' mean squared error \
             against path-traced truth is below that of points and of classic mapping, beyond the \
             reference's noise. Captures hold four reflections; the reference leaves out the \
-            model's shadows on itself, which no map has.",
+            model's shadows on itself, which no cube map contains.",
         run: object::run,
     },
     Experiment {

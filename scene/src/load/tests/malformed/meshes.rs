@@ -61,12 +61,9 @@ fn malformed_meshes() {
         ),
         (
             "v 0 0 0\n",
-            "DIR/a.obj: there is no face (`f`) in it; export a triangle mesh",
+            "DIR/a.obj: no face (`f`) found; export a triangle mesh",
         ),
-        (
-            "",
-            "DIR/a.obj: there is no face (`f`) in it; export a triangle mesh",
-        ),
+        ("", "DIR/a.obj: no face (`f`) found; export a triangle mesh"),
         (
             "v 0 0 0\nv 1e-9 0 0\nv 0 1e-9 0\nf 1 2 3\n",
             "DIR/a.obj: the largest coordinate of the surroundings is 1e-9 m, below 1e-8 m; scale the meshes, for example to metres",

@@ -79,7 +79,7 @@ fn malformed_motions_of_meshes() {
             "s.toml",
             "[[mesh]]\nshape = \"sphere\"\nmotion = { keyframes = [{ time = 0, translate = [1e16, 0, 0] }] }\n",
         )],
-        "DIR/s.toml: object `sphere`: its motion takes it beyond ±1e15 m at 0 s; mend the motion, for example with other keyframes",
+        "DIR/s.toml: object `sphere`: its motion takes it beyond ±1e15 m at 0 s; fix the motion, for example with other keyframes",
     );
 }
 
@@ -100,11 +100,11 @@ fn malformed_motions_of_camera_and_lights() {
         ),
         (
             "[camera]\neye = [0, 0, 1]\ntarget = [0, 0, 0]\nmotion = { keyframes = [{ time = 0, target = [0, 0, 1] }] }\n",
-            ":6: the camera has no view at 0 s: eye and target are one, or `up` is parallel to the view; choose other keyframes, or more of them",
+            ":6: the camera has no valid view at 0 s: eye and target coincide, or `up` is parallel to the view direction; choose other keyframes, or more of them",
         ),
         (
             "[camera]\neye = [0, 0, 1]\ntarget = [0, 0, 0]\nmotion = { keyframes = [{ time = 0 }, { time = 1, eye = [0, 0, -1] }] }\n",
-            ":6: the camera has no view at some time from 0 s to 1 s: it passes its target, or `up` comes to lie along the view; choose other keyframes, or more of them",
+            ":6: the camera has no valid view at some time from 0 s to 1 s: it passes through its target, or `up` becomes parallel to the view direction; choose other keyframes, or more of them",
         ),
         (
             "[[light]]\nkind = \"point\"\nposition = [0, 0, 0]\nintensity = [1, 1, 1]\nmotion = { keyframes = [{ time = 0, direction = [0, 1, 0] }] }\n",

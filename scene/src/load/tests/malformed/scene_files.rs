@@ -186,11 +186,11 @@ fn malformed_lights_and_cameras() {
         ),
         (
             "[[light]]\nkind = \"spot\"\nposition = [0, 0, 0]\ndirection = [0, 1, 0]\nangle_deg = 1e-9\nflux = [1, 1, 1]\n",
-            "DIR/s.toml:8: `flux` in 0e0 sr is no intensity up to 1e30 W/sr; lower it or widen the light's angle",
+            "DIR/s.toml:8: `flux` in 0e0 sr exceeds an intensity of 1e30 W/sr; lower it or widen the light's angle",
         ),
         (
             "[camera]\neye = [0, 0, 1e16]\ntarget = [0, 0, 0]\n",
-            "DIR/s.toml: the camera has no view: from [0.0, 0.0, 1e16] to [0.0, 0.0, 0.0], up [0.0, 1.0, 0.0], 45° in 512 × 512 pixels; look at another point, with `up` off the view direction",
+            "DIR/s.toml: the camera has no valid view: from [0.0, 0.0, 1e16] to [0.0, 0.0, 0.0], up [0.0, 1.0, 0.0], 45° in 512 × 512 pixels; look at another point, with `up` off the view direction",
         ),
         (
             "[camera]\neye = [0, 0, 1]\n",
