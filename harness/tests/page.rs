@@ -23,6 +23,9 @@ const STAND_INS: &str = "class ImageData { constructor(width, height) { this.wid
 /// An expression and its value. Numbers may be a rounding apart.
 type Case = (&'static str, Value);
 
+/// Cases that are tried together, by name.
+type Group = (&'static str, fn() -> Vec<Case>);
+
 fn main() -> ExitCode {
     let arguments = Arguments::from_args();
     let required = std::env::var_os("INTERREFLECT_REQUIRE_NODE").is_some();
@@ -30,7 +33,7 @@ fn main() -> ExitCode {
     if missing {
         eprintln!("node is not installed: the arithmetic of the report's page is not tried");
     }
-    let groups: [(&str, fn() -> Vec<Case>); 5] = [
+    let groups: [Group; 5] = [
         ("what_is_shown_is_exposed_clipped_and_encoded", shown),
         ("errors_are_signed_relative_and_coloured", errors),
         ("halves_are_unpacked_to_their_values", halves),

@@ -180,13 +180,16 @@ pub(crate) fn pinch(tab: &Tab) -> Result<(), Failed> {
     changes(tab, || tab.press("f"))
 }
 
-/// A pixel of the canvas, red, green and blue, where the middle of a pixel of the image lies.
+/// A pixel of the canvas, red, green and blue, where the middle of a pixel of the image lies. It is read from
+/// a copy: Chromium warns of canvases that are read often.
 fn pixel(tab: &Tab, [column, row]: [usize; 2]) -> Result<[f64; 3], Failed> {
     let read = tab.text(&format!(
         "(() => {{ const c = document.getElementById('v-canvas'); \
          const s = Math.min(c.width / {w}, c.height / {h}); \
          const at = (i, n, extent) => Math.floor(extent / 2 + s * (i + 0.5 - n / 2)); \
-         const p = c.getContext('2d').getImageData(at({column}, {w}, c.width), at({row}, {h}, c.height), 1, 1); \
+         const copy = new OffscreenCanvas(1, 1).getContext('2d', {{ willReadFrequently: true }}); \
+         copy.drawImage(c, -at({column}, {w}, c.width), -at({row}, {h}, c.height)); \
+         const p = copy.getImageData(0, 0, 1, 1); \
          return JSON.stringify([...p.data.slice(0, 3)]); }})()",
         w = SIZE.0,
         h = SIZE.1,

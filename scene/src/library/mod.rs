@@ -38,6 +38,9 @@ trait Recipe {
     fn build(settings: &Self::Settings, receivers: &[String]) -> Result<Scene, SceneError>;
 }
 
+/// Settings, and the value of each.
+type SettingValues = Vec<(FieldInfo, Value)>;
+
 /// A scene of the library, its type erased.
 #[derive(Clone, Copy, Debug)]
 pub struct LibraryScene {
@@ -49,7 +52,7 @@ pub struct LibraryScene {
     pub receivers: usize,
     /// Whether it is small enough to be measured, by every method, where no scene is named.
     pub benched: bool,
-    values: fn(&SceneRequest) -> Result<Vec<(FieldInfo, Value)>, SceneError>,
+    values: fn(&SceneRequest) -> Result<SettingValues, SceneError>,
     open: fn(&SceneRequest) -> Result<Scene, SceneError>,
 }
 
@@ -75,10 +78,7 @@ impl LibraryScene {
     }
 
     /// The scene's settings with their values, as asked for or by default.
-    pub(crate) fn values(
-        &self,
-        request: &SceneRequest,
-    ) -> Result<Vec<(FieldInfo, Value)>, SceneError> {
+    pub(crate) fn values(&self, request: &SceneRequest) -> Result<SettingValues, SceneError> {
         (self.values)(request)
     }
 

@@ -1,41 +1,10 @@
 //! Estimators from outside are measured and checked as those of the house are.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
+mod program;
+
+use program::{checks, json, names, run};
 use serde_json::Value;
-use std::path::PathBuf;
-use std::process::{Command, Output};
-
-/// `cargo test` builds examples beside the folder of the tests.
-fn program() -> PathBuf {
-    let test = std::env::current_exe().unwrap();
-    let profile = test.parent().unwrap().parent().unwrap();
-    let name = format!("stranger{}", std::env::consts::EXE_SUFFIX);
-    let program = profile.join("examples").join(name);
-    assert!(
-        program.exists(),
-        "{} is missing; `cargo build --examples` makes it",
-        program.display()
-    );
-    program
-}
-
-fn run(words: &[&str]) -> Output {
-    Command::new(program()).args(words).output().unwrap()
-}
-
-fn json(output: &Output) -> Value {
-    let complaint = String::from_utf8_lossy(&output.stderr);
-    serde_json::from_slice(&output.stdout).unwrap_or_else(|e| panic!("{e}: {complaint}"))
-}
-
-fn checks(json: &Value) -> &Vec<Value> {
-    json["checks"].as_array().unwrap()
-}
-
-fn with<'a>(json: &'a Value, verdict: &str) -> Vec<&'a Value> {
-    let checks = checks(json).iter();
-    checks.filter(|c| c["verdict"] == verdict).collect()
-}
 
 const VERIFY: [&str; 6] = ["verify", "--backend", "cpu", "--json", "--cases", "4"];
 
@@ -44,12 +13,8 @@ fn a_true_word_passes_every_check_that_it_is_about() {
     let output = run(&[&VERIFY[..], &["--estimator", "hemisphere_ambient"]].concat());
     let json = json(&output);
     assert!(output.status.success(), "{json}");
-    assert_eq!(with(&json, "failed").len(), 0);
-    let names = |verdict| -> Vec<&str> {
-        let found = with(&json, verdict);
-        found.iter().map(|c| c["check"].as_str().unwrap()).collect()
-    };
-    let passed = names("passed");
+    assert_eq!(names(&json, "failed"), [""; 0]);
+    let passed = names(&json, "passed");
     for name in [
         "non_negative",
         "bounded",
@@ -60,7 +25,7 @@ fn a_true_word_passes_every_check_that_it_is_about() {
         assert!(passed.contains(&name), "{name}: {passed:?}");
     }
     // It says nothing of other sizes of a scene, and nothing is wrong there.
-    assert!(names("unclaimed").contains(&"scale_invariant"));
+    assert!(names(&json, "unclaimed").contains(&"scale_invariant"));
 }
 
 /// Doubled, the brightest gives more than all walls could, and is no sum; the smallest box in which that
@@ -70,16 +35,13 @@ fn a_false_word_fails_with_a_small_world_and_a_command_that_shows_it() {
     let output = run(&[&VERIFY[..], &["--estimator", "boastful"]].concat());
     assert_eq!(output.status.code(), Some(1));
     let json = json(&output);
-    let failed = with(&json, "failed");
-    let names: Vec<&str> = failed
-        .iter()
-        .map(|c| c["check"].as_str().unwrap())
-        .collect();
+    let failed = names(&json, "failed");
     for name in ["bounded", "linear", "furnace_box"] {
-        assert!(names.contains(&name), "{names:?}");
+        assert!(failed.contains(&name), "{failed:?}");
     }
-    assert!(!names.contains(&"non_negative"));
-    let bounded = failed.iter().find(|c| c["check"] == "bounded").unwrap();
+    assert!(!failed.contains(&"non_negative"));
+    let bounded = checks(&json).iter().find(|c| c["check"] == "bounded");
+    let bounded = bounded.unwrap();
     assert!(bounded["value"].as_f64() > bounded["bound"].as_f64());
 
     let command = bounded["command"].as_str().unwrap();
@@ -91,7 +53,7 @@ fn a_false_word_fails_with_a_small_world_and_a_command_that_shows_it() {
     words.extend(["--case", case, "--json"]);
     let again = run(&words);
     assert_eq!(again.status.code(), Some(1));
-    let again = self::json(&again);
+    let again = program::json(&again);
     assert_eq!(checks(&again).len(), 1);
     assert_eq!(checks(&again)[0]["value"], bounded["value"]);
 }

@@ -75,7 +75,7 @@ fn alone<S: BackendScene>(loaded: &S, subject: &Subject, variant: &Variant) -> O
     };
     let together = run(loaded, variant, &with(None))?;
     let mut differ = false;
-    for kept in 0..EXPONENTS.len() {
+    for (kept, exponent) in EXPONENTS.iter().enumerate() {
         let points = with(Some(kept));
         let alone = run(loaded, variant, &points)?;
         for (i, point) in points.iter().enumerate() {
@@ -83,8 +83,7 @@ fn alone<S: BackendScene>(loaded: &S, subject: &Subject, variant: &Variant) -> O
             let (a, b) = (alone.get(i), together.get(i));
             ensure!(
                 point.is_none() || bits(a) == bits(b),
-                "point {i} of exponent {} has {a} alone and {b} in company",
-                EXPONENTS[kept]
+                "point {i} of exponent {exponent} has {a} alone and {b} in company"
             );
             differ |= point.is_some() && a != glam::Vec3::ZERO;
         }

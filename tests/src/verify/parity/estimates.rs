@@ -65,11 +65,9 @@ pub fn estimate_parity(
     };
     for (i, (a, b)) in host.iter().zip(device.iter()).enumerate() {
         for (a, b) in a.to_array().into_iter().zip(b.to_array()) {
-            let of_bound = tolerance.of_bound(f64::from(a), f64::from(b));
-            if !(of_bound <= worst.of_bound) {
-                worst.of_bound = of_bound;
-                worst.place = format!("point {i}: {a}, on the GPU {b} ({})", tolerance.cause);
-            }
+            worst.keep_larger(tolerance.of_bound(f64::from(a), f64::from(b)), || {
+                format!("point {i}: {a}, on the GPU {b} ({})", tolerance.cause)
+            });
         }
     }
     Ok(worst)

@@ -86,6 +86,20 @@ pub struct Apart {
     pub place: String,
 }
 
+impl Apart {
+    /// Keeps the larger difference. One that is no number is larger than all: it does not get lost among
+    /// those that hold.
+    fn keep_larger(&mut self, of_bound: f64, place: impl FnOnce() -> String) {
+        let of_bound = match of_bound.is_nan() {
+            true => f64::INFINITY,
+            false => of_bound,
+        };
+        if of_bound > self.of_bound {
+            (self.of_bound, self.place) = (of_bound, place());
+        }
+    }
+}
+
 /// A comparison of the backends in a world.
 type Compare = fn(&MethodUnderTest<'_>, &Arc<GpuContext>, &World) -> Result<Apart, Nothing>;
 

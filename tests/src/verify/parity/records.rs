@@ -61,9 +61,7 @@ pub fn record_parity(
     for (host, device) in host.iter().zip(&device) {
         let apart = same(host, device, texels(&captures));
         worst.cases += apart.cases;
-        if apart.of_bound >= worst.of_bound {
-            (worst.of_bound, worst.place) = (apart.of_bound, apart.place);
-        }
+        worst.keep_larger(apart.of_bound, || apart.place);
     }
     Ok(worst)
 }
@@ -111,14 +109,39 @@ fn same(host: &Records, device: &Records, captured: f64) -> Apart {
             } else {
                 tolerance.of_bound(*a, *b)
             };
-            if !(of_bound <= worst.of_bound) {
-                worst.of_bound = of_bound;
-                worst.place = format!(
-                    "{name} {i}, column {column}: {a}, on the device {b} ({})",
-                    tolerance.cause
-                );
-            }
+            worst.keep_larger(of_bound, || {
+                let cause = tolerance.cause;
+                format!("{name} {i}, column {column}: {a}, on the device {b} ({cause})")
+            });
         }
     }
     worst
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn records(values: [f32; 3]) -> Records {
+        Records {
+            name: "means",
+            width: 1,
+            values: values.into(),
+            shares_captures: false,
+            has_lobes: false,
+        }
+    }
+
+    #[test]
+    fn a_value_that_is_no_number_on_one_side_is_the_worst_wherever_it_stands() {
+        let host = records([1.0, 2.0, 3.0]);
+        let apart = |device| same(&host, &records(device), 1.0).of_bound;
+        assert_eq!(apart([1.0, 2.0, 3.0]), 0.0);
+        assert!((1.0..f64::INFINITY).contains(&apart([1.0, 2.1, 3.0])));
+        for i in 0..3 {
+            let mut device = [1.0, 2.1, 3.0];
+            device[i] = f32::NAN;
+            assert_eq!(apart(device), f64::INFINITY, "{device:?}");
+        }
+    }
 }
