@@ -27,4 +27,4 @@ pub use interreflect_estimators::{
 pub use domain::{analysis, image, machine, metrics, record};
 pub use presenting::{output, report};
 pub use running::memory::CountingAllocator;
-pub use running::{clock, frames, measure, memory, reproduce, stages, truth, view};
+pub use running::{clock, frames, measure, memory, on_backend, reproduce, truth, view};

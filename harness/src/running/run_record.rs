@@ -1,6 +1,6 @@
 //! From a measurement to its record.
 
-use super::stages::Timed;
+use super::on_backend::Timed;
 use crate::domain::record::{Run, TimeSource};
 
 /// A run with what was measured of it.

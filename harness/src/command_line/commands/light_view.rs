@@ -9,7 +9,7 @@ use crate::command_line::invocation::Invoked;
 use crate::domain::image::{Exposure, HdrImage};
 use crate::presenting::output::{Header, write_exr, write_png};
 use crate::running::context::{Context, GpuUse};
-use crate::running::stages::light_views;
+use crate::running::on_backend::light_views;
 use glam::Vec3;
 use interreflect_estimators::{Quantity, Registry};
 use interreflect_scene::LightViewImage;

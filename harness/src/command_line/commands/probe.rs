@@ -7,7 +7,7 @@ use crate::domain::files::write_json;
 use crate::domain::record::Backend;
 use crate::running::clock::Sampling;
 use crate::running::context::{Context, GpuUse};
-use crate::running::stages::{Timed, measure_on};
+use crate::running::on_backend::{Timed, measure_on};
 use glam::Vec3;
 use interreflect_estimators::{Configured, Quantity, Registry};
 use interreflect_scene::load::open_points;

@@ -9,7 +9,7 @@ use crate::domain::record::{Backend, Phases, Run};
 use crate::presenting::output::{Header, write_exr, write_png};
 use crate::running::clock::Sampling;
 use crate::running::context::{Context, GpuUse};
-use crate::running::stages::{Timed, measure_on};
+use crate::running::on_backend::{Timed, measure_on};
 use crate::running::view::View;
 use glam::Vec3;
 use interreflect_estimators::{Configured, Quantity, Registry};

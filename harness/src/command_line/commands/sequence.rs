@@ -9,7 +9,7 @@ use crate::domain::record::Backend;
 use crate::presenting::output::write_png;
 use crate::running::context::{Context, GpuUse};
 use crate::running::frames::Frame;
-use crate::running::stages::{Sequence, next_frame};
+use crate::running::on_backend::{Sequence, next_frame};
 use crate::running::view::View;
 use interreflect_estimators::Registry;
 use interreflect_scene::PointLayout;

@@ -8,7 +8,7 @@ use super::super::{measured_run::amount_of, pictures::Row};
 use super::bleeding;
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
-use crate::running::stages::Sequence;
+use crate::running::on_backend::Sequence;
 use crate::running::view::View;
 use glam::Vec3;
 use interreflect_estimators::Quantity;

@@ -8,7 +8,7 @@ use super::super::verdict::{Amount, Trial};
 use crate::domain::image::HdrImage;
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
-use crate::running::stages::light_views;
+use crate::running::on_backend::light_views;
 use glam::{DVec3, Vec3};
 use interreflect_estimators::Quantity;
 use interreflect_estimators::execution::LoadedScene;

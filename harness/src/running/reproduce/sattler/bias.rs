@@ -10,7 +10,7 @@ use super::sequence::{Moment, RESTING};
 use crate::domain::image::HdrImage;
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
-use crate::running::stages::Sequence;
+use crate::running::on_backend::Sequence;
 use interreflect_estimators::Quantity;
 use interreflect_scene::Estimate;
 use interreflect_scene::motion::Moves;

@@ -9,7 +9,7 @@ use super::super::verdict::Trial;
 use super::sequence::{DEFORMING, Moment};
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
-use crate::running::stages::Sequence;
+use crate::running::on_backend::Sequence;
 use interreflect_estimators::Quantity;
 use interreflect_scene::Estimate;
 

@@ -4,7 +4,7 @@ use super::super::experiment_context::ExperimentContext;
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
 use crate::running::frames::Shaded;
-use crate::running::stages::Sequence;
+use crate::running::on_backend::Sequence;
 use crate::running::view::{Look, ShadedAt, View};
 use interreflect_estimators::execution::LoadedScene;
 use interreflect_estimators::{Configured, Quantity};

@@ -9,7 +9,7 @@ use super::directions;
 use super::sequence::{DEFORMING, Moment, RESTING};
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
-use crate::running::stages::Sequence;
+use crate::running::on_backend::Sequence;
 use interreflect_estimators::{Configured, Quantity};
 use interreflect_scene::motion::Moves;
 
