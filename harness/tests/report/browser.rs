@@ -20,7 +20,7 @@ use tokio::runtime::Runtime;
 
 /// The longest that a browser may take to start or to answer. It answers at once, but on a machine that
 /// is busy with something else it may have to wait for its turn.
-const PATIENCE: Duration = Duration::from_secs(180);
+pub(crate) const PATIENCE: Duration = Duration::from_secs(180);
 
 /// Something that is tried in a page.
 pub(crate) type Check = fn(&Tab) -> Result<(), Failed>;

@@ -1,6 +1,6 @@
 //! What people do with a page, and what has to come of it.
 
-use crate::browser::Tab;
+use crate::browser::{PATIENCE, Tab};
 use crate::sample::SIZE;
 use chromiumoxide::cdp::browser_protocol::emulation::{
     MediaFeature, SetDeviceMetricsOverrideParams, SetEmulatedMediaParams,
@@ -10,6 +10,7 @@ use chromiumoxide::cdp::browser_protocol::input::{
 };
 use interreflect::output::{NOTHING, STOPS};
 use libtest_mimic::Failed;
+use std::time::{Duration, Instant};
 
 const PICTURE: &str = "document.getElementById('v-canvas').toDataURL()";
 const CAPTION: &str = "document.getElementById('v-caption').textContent";
@@ -197,12 +198,20 @@ fn pixel(tab: &Tab, [column, row]: [usize; 2]) -> Result<[f64; 3], Failed> {
     Ok(serde_json::from_str(&read)?)
 }
 
-fn is(found: [f64; 3], expected: [f64; 3]) -> Result<(), Failed> {
-    // Bytes, rounded.
-    let apart = found.iter().zip(expected).map(|(a, b)| (a - b).abs());
-    match apart.fold(0.0, f64::max) <= 1.0 {
-        true => Ok(()),
-        false => Err(format!("a pixel is {found:?}, not {expected:?}").into()),
+/// Waits until a pixel of the image is shown as it should be, to a byte's rounding: the page draws while it is
+/// looked at.
+fn shows_pixel(tab: &Tab, at: [usize; 2], expected: [f64; 3]) -> Result<(), Failed> {
+    let end = Instant::now() + PATIENCE;
+    loop {
+        let found = pixel(tab, at)?;
+        let apart = found.iter().zip(expected).map(|(a, b)| (a - b).abs());
+        if apart.fold(0.0, f64::max) <= 1.0 {
+            return Ok(());
+        }
+        if Instant::now() > end {
+            return Err(format!("a pixel is {found:?}, not {expected:?}").into());
+        }
+        std::thread::sleep(Duration::from_millis(20));
     }
 }
 
@@ -218,12 +227,12 @@ pub(crate) fn pixels(tab: &Tab) -> Result<(), Failed> {
             255.0 * (1.055 * v.powf(1.0 / 2.4) - 0.055)
         })
     };
-    is(pixel(tab, [8, 4])?, shown(0.0))?;
+    shows_pixel(tab, [8, 4], shown(0.0))?;
     changes(tab, || tab.press("="))?;
-    is(pixel(tab, [8, 4])?, shown(0.5))?;
+    shows_pixel(tab, [8, 4], shown(0.5))?;
     changes(tab, || tab.press("-"))?;
     changes(tab, || tab.press("-"))?;
-    is(pixel(tab, [8, 4])?, shown(-0.5))?;
+    shows_pixel(tab, [8, 4], shown(-0.5))?;
     // Half as bright as the truth: too dark by half of the mean of (½, ¼, ¼), of a range of 1.
     tab.click(".mark[href='#run-1']")?;
     shows(tab, "ambient")?;
@@ -232,7 +241,7 @@ pub(crate) fn pixels(tab: &Tab) -> Result<(), Failed> {
     let (lower, t) = (place as usize, place - place.floor());
     let [a, b] = [STOPS[lower], STOPS[lower + 1]].map(|c| c.map(f64::from));
     let colour = [0, 1, 2].map(|c| a[c] + t * (b[c] - a[c]));
-    is(pixel(tab, [8, 4])?, colour)?;
+    shows_pixel(tab, [8, 4], colour)?;
     let [r, g, b, _] = NOTHING.0.map(f64::from);
-    is(pixel(tab, [0, 0])?, [r, g, b])
+    shows_pixel(tab, [0, 0], [r, g, b])
 }
