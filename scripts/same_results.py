@@ -20,7 +20,7 @@ from pathlib import Path
 BY_NATURE = [
     (r"\b(phases_ms|frame_ms|time_source|slowed)\b", "times, and the clock that took them"),
     (r"^sweep-[^/]*: (pareto|fronts|equal_time|equal_error|floors|advice)\b", "conclusions from times"),
-    (r": (interreflect\.)?command$", "a command line names the program"),
+    (r": (interreflect\.)?command$|: invocation\b", "a command line names the program"),
     (r": interreflect\.commit$|\bmachines?\b", "the program's commit and versions, the machine's identity"),
 ]
 # Files that are not compared: pages, which are made of the values; journals and traced references, whose
@@ -70,7 +70,9 @@ def about(entry):
             return " ".join(f"{key}={value[key]}" for key in value)
         return RENAMED.get(value, value) if isinstance(value, str) else json.dumps(value)
 
-    return ", ".join(words(entry[key]) for key in IDENTITY if entry.get(key))
+    # A scene's list of settings describes them; it does not tell the scene from others.
+    named = [key for key in IDENTITY if entry.get(key) and not isinstance(entry[key], list)]
+    return ", ".join(words(entry[key]) for key in named)
 
 
 def canonical(value):
