@@ -1,25 +1,13 @@
 //! Estimates of both backends from the CPU's captures.
 
-use super::{Apart, LOBE, MethodUnderTest, Nothing, ROUNDING, World, texels};
+use super::{Apart, LOBE, MethodUnderTest, ROUNDING, VerifyError, shared, texels};
 use crate::exchange::uploaded;
-use crate::verify::VerifyError;
 use interreflect_estimators::Tolerance;
 use interreflect_estimators::execution::{BackendScene, LoadedScene};
 use interreflect_gpu::GpuContext;
 use interreflect_scene::Points;
 use std::rc::Rc;
 use std::sync::Arc;
-
-/// Compares a method's estimates in a world.
-pub(super) fn in_world(
-    subject: &MethodUnderTest<'_>,
-    context: &Arc<GpuContext>,
-    world: &World,
-) -> Result<Apart, Nothing> {
-    let points = world.placed_points(subject.quantity);
-    let loaded = subject.backend.load(&world.scene())?;
-    Ok(estimate_parity(subject, context, &loaded, &points)?)
-}
 
 /// Both backends sum in f32, in orders of their own and with or without fused operations, over at
 /// most all captured texels. Rounding errors of N terms add up like a random walk: √N, four times
@@ -49,10 +37,7 @@ pub fn estimate_parity(
     let mut on_host = loaded.cpu().executor(method, quantity, points)?;
     let host = on_host.estimate()?;
     let captures = on_host.captures()?;
-    if !captures.depths.is_empty() {
-        let why = "depth maps are made while they are read, each backend's by itself";
-        return Err(VerifyError::NotComparable(why.into()));
-    }
+    shared(&captures)?;
     let mut on_device = loaded.gpu()?.executor(method, quantity, points)?;
     on_device.set_captures(Rc::new(uploaded(context, &captures)?));
     let device = on_device.estimate()?;

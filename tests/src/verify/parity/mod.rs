@@ -9,12 +9,13 @@ pub use estimates::{estimate_parity, float32};
 pub use leaves::{on_device as leaf_on_device, on_host as leaf_on_host};
 pub use records::record_parity;
 
-use super::{Finding, Found, MethodUnderTest, Nothing, TestBackend};
+use super::{Finding, Found, MethodUnderTest, Nothing, TestBackend, VerifyError};
 use crate::verify::case::Case;
-use crate::verify::world::{Lighting, World};
+use crate::verify::world::Lighting;
+use interreflect_estimators::execution::LoadedScene;
 use interreflect_estimators::{Captures, Cpu};
 use interreflect_gpu::{GpuContext, validate};
-use interreflect_scene::{CubeImage, LightViewImage};
+use interreflect_scene::{CubeImage, LightViewImage, Points};
 use std::sync::Arc;
 
 /// A check that asks both backends.
@@ -40,12 +41,12 @@ pub(super) fn all() -> [Parity; 4] {
         Parity {
             name: "record_parity",
             about: "both backends prepare the same records from the same captures",
-            find: |subject, context| in_worlds(subject, context, records::in_world),
+            find: |subject, context| in_worlds(subject, context, record_parity),
         },
         Parity {
             name: "estimate_parity",
             about: "both backends give the same estimates from the same captures",
-            find: |subject, context| in_worlds(subject, context, estimates::in_world),
+            find: |subject, context| in_worlds(subject, context, estimate_parity),
         },
     ]
 }
@@ -100,8 +101,9 @@ impl Apart {
     }
 }
 
-/// A comparison of the backends in a world.
-type Compare = fn(&MethodUnderTest<'_>, &Arc<GpuContext>, &World) -> Result<Apart, Nothing>;
+/// A comparison of the backends in a scene, at points.
+type Compare =
+    fn(&MethodUnderTest<'_>, &Arc<GpuContext>, &LoadedScene, &Points) -> Result<Apart, VerifyError>;
 
 /// Tries all worlds that the method can run in: closed walls that emit, a lamp, an open sky.
 fn in_worlds(subject: &MethodUnderTest<'_>, context: &Arc<GpuContext>, compare: Compare) -> Found {
@@ -112,7 +114,11 @@ fn in_worlds(subject: &MethodUnderTest<'_>, context: &Arc<GpuContext>, compare: 
     };
     let mut reason = None;
     for lighting in [Lighting::Walls, Lighting::Lamp, Lighting::Sky] {
-        match compare(subject, context, &Case::unequal(POINTS).world(lighting)) {
+        let world = Case::unequal(POINTS).world(lighting);
+        let points = world.placed_points(subject.quantity);
+        let apart = subject.backend.load(&world.scene());
+        let apart = apart.and_then(|loaded| compare(subject, context, &loaded, &points));
+        match apart.map_err(Nothing::from) {
             Ok(apart) => {
                 finding.cases += apart.cases;
                 if apart.of_bound >= finding.value {
@@ -127,6 +133,17 @@ fn in_worlds(subject: &MethodUnderTest<'_>, context: &Arc<GpuContext>, compare: 
     match (finding.cases, reason) {
         (0, Some(why)) => Err(Nothing::NotApplicable(why)),
         _ => Ok(finding),
+    }
+}
+
+/// Refuses captures that the backends can't share.
+fn shared(captures: &Captures<Cpu>) -> Result<(), VerifyError> {
+    match captures.depths.is_empty() {
+        true => Ok(()),
+        false => {
+            let why = "depth maps are made while they are read, each backend's by itself";
+            Err(VerifyError::NotComparable(why.into()))
+        }
     }
 }
 

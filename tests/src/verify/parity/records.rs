@@ -1,25 +1,13 @@
 //! What `prepare` makes on the CPU and on the device of the same captures, record by record.
 
-use super::{Apart, LOBE, MethodUnderTest, Nothing, OF_A_TERM, World, sum_of, texels};
+use super::{Apart, LOBE, MethodUnderTest, OF_A_TERM, VerifyError, shared, sum_of, texels};
 use crate::exchange::uploaded;
-use crate::verify::VerifyError;
 use interreflect_estimators::execution::{BackendScene, LoadedScene};
 use interreflect_estimators::{Changed, Records, Tolerance};
 use interreflect_gpu::GpuContext;
 use interreflect_scene::Points;
 use std::rc::Rc;
 use std::sync::Arc;
-
-/// Compares the records of a method in a world.
-pub(super) fn in_world(
-    subject: &MethodUnderTest<'_>,
-    context: &Arc<GpuContext>,
-    world: &World,
-) -> Result<Apart, Nothing> {
-    let points = world.placed_points(subject.quantity);
-    let loaded = subject.backend.load(&world.scene())?;
-    Ok(record_parity(subject, context, &loaded, &points)?)
-}
 
 /// Compares the records of a method in a scene: the largest difference over what it may be. Its scale is
 /// the largest number of a record's column: the components of a unit vector, and coefficients that
@@ -37,10 +25,7 @@ pub fn record_parity(
     let mut on_host = loaded.cpu().executor(method, quantity, points)?;
     on_host.prepare(Changed::ALL)?;
     let captures = on_host.captures()?;
-    if !captures.depths.is_empty() {
-        let why = "depth maps are made while they are read, each backend's by itself";
-        return Err(VerifyError::NotComparable(why.into()));
-    }
+    shared(&captures)?;
     let mut on_device = loaded.gpu()?.executor(method, quantity, points)?;
     on_device.set_captures(Rc::new(uploaded(context, &captures)?));
     on_device.prepare(Changed::ALL)?;
