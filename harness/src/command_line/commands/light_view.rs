@@ -2,13 +2,13 @@
 //! (P3, Figure 6).
 
 use super::render::OUT;
-use super::{load, print_line};
+use super::{load, print_line, with_method};
 use crate::command_line::cli::Render;
 use crate::command_line::error::CommandError;
 use crate::command_line::invocation::Invoked;
 use crate::domain::image::{Exposure, HdrImage};
 use crate::presenting::output::{Header, write_exr, write_png};
-use crate::running::context::{Context, GpuUse};
+use crate::running::context::GpuUse;
 use crate::running::on_backend::light_views;
 use glam::Vec3;
 use interreflect_estimators::{Quantity, Registry};
@@ -22,10 +22,12 @@ pub(super) fn run(
     registry: Registry,
     invoked: &Invoked,
 ) -> Result<(), CommandError> {
-    let context = Context::new(registry, &command.run.context())?;
-    let id = [command.estimator.clone()];
-    context.check_owners(&id, &command.settings)?;
-    let method = context.configure(&command.estimator, &command.settings)?;
+    let (context, method) = with_method(
+        registry,
+        &command.run,
+        &command.estimator,
+        &command.settings,
+    )?;
     let gpu = GpuUse::required_in(command.backend.list());
     let scene = (&*command.scene, &command.scene_options);
     let loaded = load(&context, scene, &command.settings, gpu)?;

@@ -16,15 +16,15 @@ mod sweep;
 mod verify;
 mod watcher;
 
-use crate::command_line::cli::{Cli, Command, SceneOptions, Show};
+use crate::command_line::cli::{Cli, Command, RunOptions, SceneOptions, Show};
 use crate::command_line::error::CommandError;
 use crate::command_line::invocation::Invoked;
 use crate::running::context::{Context, GpuUse, remarkable};
 use crate::running::settings::Setting;
 use crate::running::warning::Warning;
 use interreflect_conformance::verify::Check;
-use interreflect_estimators::Registry;
 use interreflect_estimators::execution::LoadedScene;
+use interreflect_estimators::{Configured, Registry};
 
 /// Runs a command; what it prints goes to standard output.
 ///
@@ -53,6 +53,19 @@ pub(crate) fn run(
         Command::Verify(command) => verify::run(&command, registry, checks),
         Command::Reproduce(command) => reproduce::run(&command, registry, invoked),
     }
+}
+
+/// What a command that runs a single method works with: the context, and the method with its settings.
+fn with_method(
+    registry: Registry,
+    run: &RunOptions,
+    estimator: &str,
+    settings: &[Setting],
+) -> Result<(Context, Box<dyn Configured>), CommandError> {
+    let context = Context::new(registry, &run.context())?;
+    context.check_owners(&[estimator.to_owned()], settings)?;
+    let method = context.configure(estimator, settings)?;
+    Ok((context, method))
 }
 
 /// Opens a scene with its changes on the CPU and, if asked for, on the GPU, and remarks what is strange.

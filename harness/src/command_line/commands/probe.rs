@@ -1,12 +1,12 @@
 //! `probe`: one estimate at the points of a file.
 
-use super::{load, print_json, print_line};
+use super::{load, print_json, print_line, with_method};
 use crate::command_line::cli::Probe;
 use crate::command_line::error::CommandError;
 use crate::domain::files::write_json;
 use crate::domain::record::Backend;
 use crate::running::clock::Sampling;
-use crate::running::context::{Context, GpuUse};
+use crate::running::context::GpuUse;
 use crate::running::on_backend::{Timed, measure_on};
 use glam::Vec3;
 use interreflect_estimators::{Configured, Quantity, Registry};
@@ -23,10 +23,12 @@ struct Probed {
 }
 
 pub(super) fn run(command: &Probe, registry: Registry) -> Result<(), CommandError> {
-    let context = Context::new(registry, &command.run.context())?;
-    let id = [command.estimator.clone()];
-    context.check_owners(&id, &command.settings)?;
-    let method = context.configure(&command.estimator, &command.settings)?;
+    let (context, method) = with_method(
+        registry,
+        &command.run,
+        &command.estimator,
+        &command.settings,
+    )?;
     let quantity = match command.quantity {
         Some(quantity) => quantity,
         None => main_quantity(&*method)?,

@@ -1,6 +1,6 @@
 //! `render`: an image with one estimator.
 
-use super::{load, print_json, print_line};
+use super::{load, print_json, print_line, with_method};
 use crate::command_line::cli::Render;
 use crate::command_line::error::CommandError;
 use crate::command_line::invocation::Invoked;
@@ -8,7 +8,7 @@ use crate::domain::image::{Exposure, HdrImage};
 use crate::domain::record::{Backend, Phases, Run};
 use crate::presenting::output::{Header, write_exr, write_png};
 use crate::running::clock::Sampling;
-use crate::running::context::{Context, GpuUse};
+use crate::running::context::GpuUse;
 use crate::running::on_backend::{Timed, measure_on};
 use crate::running::view::View;
 use glam::Vec3;
@@ -41,10 +41,12 @@ pub(super) fn run(
     registry: Registry,
     invoked: &Invoked,
 ) -> Result<(), CommandError> {
-    let context = Context::new(registry, &command.run.context())?;
-    let id = [command.estimator.clone()];
-    context.check_owners(&id, &command.settings)?;
-    let method = context.configure(&command.estimator, &command.settings)?;
+    let (context, method) = with_method(
+        registry,
+        &command.run,
+        &command.estimator,
+        &command.settings,
+    )?;
     let shown = Shown::choose(&*method, command.quantity);
     let gpu = GpuUse::required_in(command.backend.list());
     let loaded = load(

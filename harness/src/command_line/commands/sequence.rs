@@ -1,13 +1,13 @@
 //! `render --frames`: images of a scene that moves, by sessions that live on from frame to frame.
 
 use super::render::{OUT, Shown, resized};
-use super::{print_json, print_line};
+use super::{print_json, print_line, with_method};
 use crate::command_line::cli::Render;
 use crate::command_line::error::CommandError;
 use crate::domain::image::Exposure;
 use crate::domain::record::Backend;
 use crate::presenting::output::write_png;
-use crate::running::context::{Context, GpuUse};
+use crate::running::context::GpuUse;
 use crate::running::frames::Frame;
 use crate::running::on_backend::{Sequence, next_frame};
 use crate::running::view::View;
@@ -30,10 +30,12 @@ struct Rendered {
 }
 
 pub(super) fn run(command: &Render, registry: Registry) -> Result<(), CommandError> {
-    let context = Context::new(registry, &command.run.context())?;
-    let id = [command.estimator.clone()];
-    context.check_owners(&id, &command.settings)?;
-    let method = context.configure(&command.estimator, &command.settings)?;
+    let (context, method) = with_method(
+        registry,
+        &command.run,
+        &command.estimator,
+        &command.settings,
+    )?;
     let shown = Shown::choose(&*method, command.quantity);
     let rest = context.scene(
         &command.scene,

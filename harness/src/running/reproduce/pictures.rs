@@ -1,6 +1,8 @@
 //! Rows of pictures that belong together.
 
 use crate::domain::image::HdrImage;
+use crate::running::view::View;
+use interreflect_scene::Estimate;
 
 /// Pictures of one size beside each other, tone-mapped alike, by the first one.
 pub struct Row {
@@ -35,6 +37,16 @@ impl Row {
             pictures: vec![(caption.into(), reference)],
             errors_at: Some(surfaces),
         }
+    }
+
+    /// Begun with a reference at the points of a view.
+    pub(crate) fn rendered(
+        title: impl Into<String>,
+        caption: impl Into<String>,
+        view: &View,
+        reference: &Estimate,
+    ) -> Self {
+        Self::against(title, caption, view.image(reference), view.surfaces())
     }
 
     /// Adds a picture.

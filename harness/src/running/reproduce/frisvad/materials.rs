@@ -33,12 +33,7 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
     let mut references = context.references(&room, quantity, &points);
     let truth = references.truth();
     let judge = Judge::new(truth, &points);
-    let mut row = Row::against(
-        "irradiance",
-        "path tracing",
-        view.image(&truth.values),
-        view.surfaces(),
-    );
+    let mut row = Row::rendered("irradiance", "path tracing", &view, &truth.values);
     for backend in context.backends() {
         for fidelity in ["published", "corrected"] {
             let mut estimates = Vec::new();

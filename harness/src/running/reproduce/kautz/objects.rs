@@ -24,12 +24,7 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
         let exact = references.model(OwnModel::EnvironmentAtInfinity { bounces: 0 });
         let judge = Judge::new(exact, &points);
         let title = format!("{name}: irradiance");
-        let mut row = Row::against(
-            title,
-            "exact convolution",
-            view.image(&exact.values),
-            view.surfaces(),
-        );
+        let mut row = Row::rendered(title, "exact convolution", &view, &exact.values);
         let mut lit = Row::plain(format!("{name}: diffuse and glossy, in one pass"));
         for backend in context.backends() {
             let first = backend == context.backends()[0];

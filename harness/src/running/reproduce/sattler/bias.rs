@@ -38,12 +38,7 @@ fn biases(context: &ExperimentContext<'_>, finding: &mut Finding) -> Result<(), 
     let mut references = context.references(&room, quantity, &points);
     let truth = references.truth();
     let judge = Judge::new(truth, &points);
-    let mut row = Row::against(
-        "openness",
-        "traced rays",
-        view.image(&truth.values),
-        view.surfaces(),
-    );
+    let mut row = Row::rendered("openness", "traced rays", &view, &truth.values);
     for backend in context.backends() {
         let mut estimates = Vec::new();
         for (bias, label) in [

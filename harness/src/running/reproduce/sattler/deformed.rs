@@ -40,12 +40,7 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
         let truth = references.truth();
         let judge = Judge::at(&truth.values, Some(&truth.error), moment.seen());
         let (view, title) = (&moment.view, format!("at {time_s} s"));
-        let mut row = Row::against(
-            &*title,
-            "traced rays",
-            view.image(&truth.values),
-            view.surfaces(),
-        );
+        let mut row = Row::rendered(&*title, "traced rays", view, &truth.values);
         for (backend, running, at_rest) in &mut running {
             let shaded = moment.shade(context, (running, *backend), &*method, DEFORMING)?;
             let fixed = at_rest.get_or_insert_with(|| shaded.estimate.clone());

@@ -30,12 +30,7 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
     let mut references = context.precise(&room, quantity, &points);
     let truth = references.truth();
     let judge = Judge::new(truth, &points);
-    let mut row = Row::against(
-        "openness",
-        "traced rays",
-        view.image(&truth.values),
-        view.surfaces(),
-    );
+    let mut row = Row::rendered("openness", "traced rays", &view, &truth.values);
     for backend in context.backends() {
         let mut estimates = Vec::new();
         for level in 0..=context.pick(3, 4) {

@@ -67,12 +67,7 @@ fn compare(
     let own = Judge::at(&black, Some(&black_error), surfaces.collect());
     let truth = references.truth();
     let judge = Judge::new(truth, &points);
-    let mut row = Row::against(
-        case,
-        "path tracing",
-        view.image(&truth.values),
-        view.surfaces(),
-    );
+    let mut row = Row::rendered(case, "path tracing", &view, &truth.values);
     for backend in context.backends() {
         let occluded = context.method(
             "directional_ao",

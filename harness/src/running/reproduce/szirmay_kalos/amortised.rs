@@ -68,7 +68,7 @@ fn moved_by(
     let truth = references.truth();
     let judge = Judge::new(truth, &points);
     let case = format!("moved {moved} m");
-    let mut row = Row::against(&*case, "truth", view.image(&truth.values), view.surfaces());
+    let mut row = Row::rendered(&*case, "truth", &view, &truth.values);
     for backend in context.backends() {
         let mut runs = Vec::new();
         for (label, within_m) in [("fresh", 0.0), ("reused", 1.0)] {
@@ -152,7 +152,7 @@ fn shared(
 }
 
 fn pictures(view: &View, truth: &Estimate, [one, each]: [&Estimate; 2]) -> Row {
-    let mut row = Row::against("2 objects", "truth", view.image(truth), view.surfaces());
+    let mut row = Row::rendered("2 objects", "truth", view, truth);
     row.add("one map", view.image(one));
     row.add("a map each", view.image(each));
     row

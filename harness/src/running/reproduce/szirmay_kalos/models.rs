@@ -87,12 +87,7 @@ fn compare(
         Reflection::Diffuse => e.clone(),
         Reflection::Specular => scaled(e, judge.factor(e)),
     };
-    let mut row = Row::against(
-        case,
-        "reference",
-        view.image(&truth.values),
-        view.surfaces(),
-    );
+    let mut row = Row::rendered(case, "reference", &view, &truth.values);
     for backend in context.backends() {
         let mut shoot = |label: &str, method: &dyn Configured| {
             let measured = context.run_once(room, backend, method, quantity, &points)?;

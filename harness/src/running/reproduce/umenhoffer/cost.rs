@@ -32,12 +32,7 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
     let points = view.points(Quantity::Irradiance.layout());
     let mut references = context.references(&room, Quantity::Irradiance, &points);
     let truth = references.truth();
-    let mut row = Row::against(
-        "irradiance, M = 4",
-        "path tracing",
-        view.image(&truth.values),
-        view.surfaces(),
-    );
+    let mut row = Row::rendered("irradiance, M = 4", "path tracing", &view, &truth.values);
     for backend in context.backends() {
         let software = context.software(backend);
         let mut shade = Vec::new();

@@ -33,12 +33,7 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
     let judge = Judge::new(truth, &points);
     for m in [4_u32, 8] {
         let title = format!("irradiance, M = {m}");
-        let mut row = Row::against(
-            title,
-            "reference",
-            view.image(&truth.values),
-            view.surfaces(),
-        );
+        let mut row = Row::rendered(title, "reference", &view, &truth.values);
         for backend in context.backends() {
             let mut shoot = |label: &str, id: &str, parameters: &[(&str, &dyn ToString)]| {
                 let method = context.method(id, parameters)?;
