@@ -25,9 +25,9 @@ use std::time::Duration;
 
 /// A phase sleeps so long; it never takes as long as the next one on this list.
 const SHADE_MS: f64 = 10.0;
-const PREPARE_MS: f64 = 100.0;
+const PREPARE_MS: f64 = 300.0;
 /// A capture takes at least as long.
-const CAPTURE_MS: f64 = 400.0;
+const CAPTURE_MS: f64 = 1000.0;
 
 fn sleep(ms: f64) {
     std::thread::sleep(Duration::from_secs_f64(ms * 1e-3));

@@ -12,13 +12,21 @@ fn four_steps(x: u32) -> u32 {
     return step(step(step(step(x))));
 }
 
-// Sixteen steps a turn, for lavapipe ends an invocation's loops after 65535 turns in all.
+fn sixteen_steps(x: u32) -> u32 {
+    return four_steps(four_steps(four_steps(four_steps(x))));
+}
+
+fn sixty_four_steps(x: u32) -> u32 {
+    return sixteen_steps(sixteen_steps(sixteen_steps(sixteen_steps(x))));
+}
+
+// 256 steps a turn, for lavapipe ends an invocation's loops after 65535 turns in all.
 @compute @workgroup_size(64)
 fn chain(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lane: u32) {
     let i = group.x * 64u + lane;
     var x = chains[i];
     for (var k = 0u; k < turns.x; k++) {
-        x = four_steps(four_steps(four_steps(four_steps(x))));
+        x = sixty_four_steps(sixty_four_steps(sixty_four_steps(sixty_four_steps(x))));
     }
     chains[i] = x;
 }
