@@ -12,8 +12,8 @@ use interreflect_estimators::{
 };
 use interreflect_gpu::GpuContext;
 use interreflect_scene::{
-    CubeChannels, CubeSpec, LightViewChannels, LightViewSpec, Needs, Point, PointLayout, Points,
-    SceneRequest, open,
+    CubeChannels, CubeSpec, Needs, Point, PointLayout, Points, RsmChannels, RsmSpec, SceneRequest,
+    open,
 };
 use std::time::Duration;
 
@@ -185,19 +185,19 @@ fn captures(criterion: &mut Criterion) {
 }
 
 /// Views from the light, 16² and 256² texels each, with position, radiance and normal.
-fn light_views(criterion: &mut Criterion) {
+fn rsms(criterion: &mut Criterion) {
     let fixture = Fixture::new();
     let gpu = fixture.gpu();
-    let mut group = criterion.benchmark_group("capture/light views");
+    let mut group = criterion.benchmark_group("capture/RSMs");
     settings(&mut group);
     for size in [16, 256] {
-        let channels = LightViewChannels {
+        let channels = RsmChannels {
             radiance: true,
             normal: true,
             true_colors: false,
         };
         let needs = Needs {
-            light_views: [LightViewSpec { size, channels }].into(),
+            rsms: [RsmSpec { size, channels }].into(),
             ..Needs::default()
         };
         let name = format!("{size}");
@@ -220,5 +220,5 @@ fn capture<S: BackendScene>(group: &mut Group<'_>, loaded: &S, id: BenchmarkId, 
     });
 }
 
-criterion_group!(benches, methods, captures, light_views);
+criterion_group!(benches, methods, captures, rsms);
 criterion_main!(benches);

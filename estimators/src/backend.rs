@@ -5,9 +5,9 @@ use crate::execution::{BackendScene, CpuLoadedScene, GpuLoadedScene, LoadedScene
 use interreflect_cpu::capture::directional_depth::DirectionalDepths;
 use interreflect_cpu::{scene::CpuScene, tiles::CpuCx};
 use interreflect_gpu::{
-    GpuContext, GpuCube, GpuCx, GpuDirectionalDepths, GpuEstimate, GpuLightView, GpuPoints,
+    GpuContext, GpuCube, GpuCx, GpuDirectionalDepths, GpuEstimate, GpuPoints, GpuRsm,
 };
-use interreflect_scene::{CubeImage, Estimate, LightViewImage, Points};
+use interreflect_scene::{CubeImage, Estimate, Points, RsmImage};
 
 mod sealed {
     pub trait Sealed {}
@@ -30,7 +30,7 @@ pub trait Backend: sealed::Sealed + Copy + Send + Sync + 'static {
     /// Where depth maps along directions come from.
     type Depths;
     /// Captured views from the lights.
-    type LightView;
+    type Rsm;
     /// The shaded points.
     type Points;
     /// Where the estimate goes.
@@ -60,7 +60,7 @@ impl Backend for Cpu {
     type Scene = CpuLoadedScene;
     type Cube = CubeImage;
     type Depths = DirectionalDepths;
-    type LightView = LightViewImage;
+    type Rsm = RsmImage;
     type Points = Points;
     type Out = Estimate;
     type Transport = CpuScene;
@@ -77,7 +77,7 @@ impl Backend for Gpu {
     type Scene = GpuLoadedScene;
     type Cube = GpuCube;
     type Depths = GpuDirectionalDepths;
-    type LightView = GpuLightView;
+    type Rsm = GpuRsm;
     type Points = GpuPoints;
     type Out = GpuEstimate;
     type Transport = std::convert::Infallible;

@@ -1,7 +1,7 @@
 //! What can go wrong while an estimator runs.
 
 use interreflect_gpu::GpuError;
-use interreflect_scene::{CubeSpec, LightViewSpec, PointError};
+use interreflect_scene::{CubeSpec, PointError, RsmSpec};
 
 /// Why a method can't run as asked: a result to report, not a failure.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -44,7 +44,7 @@ impl EstimatorError {
         format!("a cube of {0}x{0} {1}{bounces}", spec.size, asked.join("+"))
     }
 
-    pub(crate) fn light_view(spec: &LightViewSpec) -> String {
+    pub(crate) fn rsm(spec: &RsmSpec) -> String {
         let c = spec.channels;
         let channels = [
             (true, "position"),
@@ -53,6 +53,6 @@ impl EstimatorError {
             (c.true_colors, "true colours"),
         ];
         let asked: Vec<_> = channels.iter().filter(|c| c.0).map(|c| c.1).collect();
-        format!("a light view of {0}x{0} {1}", spec.size, asked.join("+"))
+        format!("an RSM of {0}x{0} {1}", spec.size, asked.join("+"))
     }
 }

@@ -8,7 +8,7 @@ use glam::Vec3;
 use interreflect_cpu::tiles::TileKernel;
 use interreflect_gpu::{Binding, GpuContext};
 use interreflect_scene::{
-    CubeSpec, DirectionalDepthSpec, Environment, LightViewSpec, Needs, Points, Scene, SceneFacts,
+    CubeSpec, DirectionalDepthSpec, Environment, Needs, Points, RsmSpec, Scene, SceneFacts,
 };
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -24,7 +24,7 @@ pub struct Captures<B: Backend> {
     /// What arrives from infinitely far away, if the scene has any.
     pub environment: Option<Environment>,
     /// Views from the lights.
-    pub light_views: BTreeMap<LightViewSpec, B::LightView>,
+    pub rsms: BTreeMap<RsmSpec, B::Rsm>,
     /// Ray queries in the whole scene.
     pub transport: Option<std::sync::Arc<B::Transport>>,
 }
@@ -35,7 +35,7 @@ impl<B: Backend> Default for Captures<B> {
             cubes: BTreeMap::new(),
             depths: BTreeMap::new(),
             environment: None,
-            light_views: BTreeMap::new(),
+            rsms: BTreeMap::new(),
             transport: None,
         }
     }
@@ -122,7 +122,7 @@ impl Request {
         let (needs, read) = (&self.needs, self.read.borrow());
         Needs {
             cubes: &needs.cubes - &read.cubes,
-            light_views: &needs.light_views - &read.light_views,
+            rsms: &needs.rsms - &read.rsms,
             directional_depths: &needs.directional_depths - &read.directional_depths,
             environment: needs.environment && !read.environment,
             light_transport: needs.light_transport && !read.light_transport,
@@ -230,13 +230,13 @@ impl<'a, B: Backend> Inputs<'a, B> {
     ///
     /// # Errors
     /// [`EstimatorError::Undeclared`] if `needs` did not name them.
-    pub fn light_view(&self, spec: &LightViewSpec) -> Result<&'a B::LightView, EstimatorError> {
-        if !self.request.needs.light_views.contains(spec) {
-            return Err(EstimatorError::Undeclared(EstimatorError::light_view(spec)));
+    pub fn rsm(&self, spec: &RsmSpec) -> Result<&'a B::Rsm, EstimatorError> {
+        if !self.request.needs.rsms.contains(spec) {
+            return Err(EstimatorError::Undeclared(EstimatorError::rsm(spec)));
         }
-        self.request.read.borrow_mut().light_views.insert(*spec);
-        let found = self.captures.light_views.get(spec);
-        found.ok_or_else(|| EstimatorError::Missing(EstimatorError::light_view(spec)))
+        self.request.read.borrow_mut().rsms.insert(*spec);
+        let found = self.captures.rsms.get(spec);
+        found.ok_or_else(|| EstimatorError::Missing(EstimatorError::rsm(spec)))
     }
 
     /// Full light transport in the whole scene.

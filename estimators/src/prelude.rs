@@ -18,6 +18,6 @@ pub use interreflect_scene::conventions::{
 };
 pub use interreflect_scene::params::Fidelity;
 pub use interreflect_scene::{
-    CubeChannels, CubeImage, CubeSpec, Estimate, LightViewChannels, LightViewSpec, Needs, Point,
-    PointLayout, Points, Scene, SceneFacts,
+    CubeChannels, CubeImage, CubeSpec, Estimate, Needs, Point, PointLayout, Points, RsmChannels,
+    RsmSpec, Scene, SceneFacts,
 };

@@ -2,12 +2,12 @@
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use crate::capture::cube::Capture;
-use crate::capture::{directional_depth, light_view};
+use crate::capture::{directional_depth, rsm};
 use crate::coarse::Grid;
 use crate::layout::{constant_u32 as constant, layout, module};
-use crate::light_view::GpuTrueColors;
 use crate::lights::{GpuLight, LightList, MAX_LIGHTS, kind};
 use crate::points::PointsInfo;
+use crate::rsm::GpuTrueColors;
 use crate::scene::GpuMaterial;
 use crate::{Shader, capture, shaders, validate, wgsl};
 use interreflect_scene::{Estimate, LANES, PointLayout, conventions};
@@ -112,11 +112,11 @@ fn structs_have_the_same_layout() {
         GpuMaterial,
         [albedo, shininess, emission, mirror, specular]
     );
-    let views = module(&light_view::SHADER);
+    let views = module(&rsm::SHADER);
     assert_layout!(
         &views,
         "Frame",
-        light_view::Frame,
+        rsm::Frame,
         [
             origin,
             light,
@@ -131,7 +131,7 @@ fn structs_have_the_same_layout() {
     assert_layout!(
         &views,
         "Views",
-        light_view::Views,
+        rsm::Views,
         [size, channels, triangles, ray_start]
     );
     assert_layout!(

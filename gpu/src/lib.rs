@@ -15,11 +15,11 @@ mod kernel;
 pub mod layout;
 #[cfg(test)]
 mod layout_tests;
-mod light_view;
 mod lights;
 mod pipeline;
 mod points;
 mod readback;
+mod rsm;
 mod scene;
 mod shader;
 mod timestamps;
@@ -30,17 +30,17 @@ pub use capture::cube::capture_cube;
 pub use capture::directional_depth::{
     DEPTH_MAPS_AT_ONCE, GpuDepthMaps, GpuDirectionalDepths, GpuOccluders, MAX_QUERIES,
 };
-pub use capture::light_view::{MAX_MIRRORED_TRIANGLES, capture_light_views};
+pub use capture::rsm::{MAX_MIRRORED_TRIANGLES, capture_rsms};
 pub use coarse::GpuCoarseIrradiance;
 pub use context::GpuContext;
 pub use cube::GpuCube;
 pub use cx::GpuCx;
 pub use error::GpuError;
 pub use kernel::{Binding, Kernel};
-pub use light_view::GpuLightView;
 pub use lights::MAX_LIGHTS;
 pub use pipeline::{CacheStats, Constants};
 pub use points::{GpuEstimate, GpuPoints, workgroup_grid};
+pub use rsm::GpuRsm;
 pub use scene::GpuScene;
 pub use shader::{Shader, validate};
 pub use timestamps::{GpuTime, Mistimed};
@@ -51,6 +51,6 @@ pub fn shaders() -> [Shader; 4] {
         capture::cube::SHADER,
         capture::shadow::SHADER,
         capture::directional_depth::SHADER,
-        capture::light_view::SHADER,
+        capture::rsm::SHADER,
     ]
 }

@@ -43,7 +43,7 @@ impl CubeSpec {
 /// Channels of a light's view; what is not asked for is not captured. The surface's position is
 /// always there, and how far the light came.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct LightViewChannels {
+pub struct RsmChannels {
     /// Radiance that Lambertian reflection returns of this light alone.
     pub radiance: bool,
     /// Unit normal of the surface, and the cosine of the arriving light with it.
@@ -54,11 +54,11 @@ pub struct LightViewChannels {
 
 /// A view from every light of the scene, one ray through each texel's centre.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct LightViewSpec {
+pub struct RsmSpec {
     /// Texels along the edge of a view; a light may have several views.
     pub size: u32,
     /// What each texel holds.
-    pub channels: LightViewChannels,
+    pub channels: RsmChannels,
 }
 
 /// Everything a method reads beyond its points. A capture that was not declared can't be read;
@@ -72,7 +72,7 @@ pub struct Needs {
     /// The radiance that arrives from infinitely far away.
     pub environment: bool,
     /// Views from the lights, each readable by the spec that asked for it.
-    pub light_views: BTreeSet<LightViewSpec>,
+    pub rsms: BTreeSet<RsmSpec>,
     /// Ray queries and full light transport in the whole scene (CPU only).
     pub light_transport: bool,
     /// Captures made elsewhere will do, up to this distance in metres from the reference point; 0:
@@ -83,7 +83,7 @@ pub struct Needs {
 impl Needs {
     /// Whether nothing is to be captured.
     pub fn no_captures(&self) -> bool {
-        self.cubes.is_empty() && self.light_views.is_empty()
+        self.cubes.is_empty() && self.rsms.is_empty()
     }
 }
 

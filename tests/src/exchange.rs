@@ -1,7 +1,7 @@
 //! Captures of one backend given to the other.
 
 use interreflect_estimators::{Captures, Cpu, Gpu};
-use interreflect_gpu::{GpuContext, GpuCube, GpuError, GpuLightView};
+use interreflect_gpu::{GpuContext, GpuCube, GpuError, GpuRsm};
 
 /// The host's captures on the device. Depth maps are made while they are read, each backend's by
 /// itself: there is nothing to give.
@@ -17,9 +17,9 @@ pub fn uploaded(context: &GpuContext, from: &Captures<Cpu>) -> Result<Captures<G
         let cube = GpuCube::upload(context, cube)?;
         captures.cubes.insert(*spec, cube);
     }
-    for (spec, views) in &from.light_views {
-        let views = GpuLightView::upload(context, views)?;
-        captures.light_views.insert(*spec, views);
+    for (spec, views) in &from.rsms {
+        let views = GpuRsm::upload(context, views)?;
+        captures.rsms.insert(*spec, views);
     }
     Ok(captures)
 }
@@ -36,8 +36,8 @@ pub fn downloaded(context: &GpuContext, from: &Captures<Gpu>) -> Result<Captures
     for (spec, cube) in &from.cubes {
         captures.cubes.insert(*spec, cube.download(context)?);
     }
-    for (spec, views) in &from.light_views {
-        captures.light_views.insert(*spec, views.download(context)?);
+    for (spec, views) in &from.rsms {
+        captures.rsms.insert(*spec, views.download(context)?);
     }
     Ok(captures)
 }

@@ -2,4 +2,4 @@
 
 pub mod cube;
 pub mod directional_depth;
-pub mod light_view;
+pub mod rsm;

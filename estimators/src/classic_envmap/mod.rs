@@ -39,7 +39,7 @@ impl Method for ClassicEnvmap {
         figure: Some(Figure {
             scene: "colored-room",
             quantity: Quantity::GlossyRadiance,
-            settings: &["scene.receiver.place=wall"],
+            settings: &["scene.receiver.place=wall", "scene.reference.offset=0"],
         }),
     };
 

@@ -28,7 +28,7 @@ impl Estimator<Cpu> for DirectRadianceMap {
         if let Some(last) = frame.unless_stale(last) {
             return Ok(last);
         }
-        let (photons, highlights) = photons(self, frame.light_view(&self.captured())?);
+        let (photons, highlights) = photons(self, frame.rsm(&self.captured())?);
         Ok(Photons {
             method: self.clone(),
             photons,

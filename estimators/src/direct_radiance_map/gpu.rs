@@ -5,7 +5,7 @@ use super::{DirectRadianceMap, Formula};
 use crate::texels::gpu::LEAVES as TEXEL_LEAVES;
 use crate::{Estimator, EstimatorError, Frame, Gpu, Kernels, LOBE_POWER, Quantity, Records};
 use bytemuck::{Pod, Zeroable};
-use interreflect_gpu::{GpuContext, GpuCx, GpuLightView, Kernel, Shader, wgsl};
+use interreflect_gpu::{GpuContext, GpuCx, GpuRsm, Kernel, Shader, wgsl};
 
 const LEAVES: &str = include_str!("math.wgsl");
 const PHOTON: &str = include_str!("photon.wgsl");
@@ -91,7 +91,7 @@ impl GpuPhotons {
     fn new(
         method: &DirectRadianceMap,
         cx: &mut GpuCx,
-        views: &GpuLightView,
+        views: &GpuRsm,
     ) -> Result<Self, EstimatorError> {
         let context = cx.context().clone();
         let samples = samples(method, views.frames());
@@ -103,7 +103,7 @@ impl GpuPhotons {
             diagonal2: views.bounds().diagonal().powi(2),
         };
         let gather = context.uniform("direct_radiance_map photons", &gather)?;
-        let places = context.storage("samples of light views", &samples)?;
+        let places = context.storage("samples of RSMs", &samples)?;
         let shining = if method.shining() { samples.len() } else { 1 };
         let bytes = shining * size_of::<Highlight>();
         let made = Self {
@@ -156,7 +156,7 @@ impl Estimator<Gpu> for DirectRadianceMap {
         let made = match frame.unless_stale(last) {
             Some(last) => last.made,
             None => {
-                let views = frame.light_view(&self.captured())?;
+                let views = frame.rsm(&self.captured())?;
                 GpuPhotons::new(self, frame.cx, views)?
             }
         };

@@ -13,7 +13,7 @@ mod samples;
 use crate::leaves::Leaves;
 use crate::{Claim, Figure, Info, Method, OwnModel, Quantity, Reference, Unsupported};
 use interreflect_scene::params::Fidelity;
-use interreflect_scene::{LightViewChannels, LightViewSpec, Needs, SceneFacts};
+use interreflect_scene::{Needs, RsmChannels, RsmSpec, SceneFacts};
 
 pub use params::{DirectRadianceMap, SolidAngle, Surface, TexelOf};
 
@@ -62,7 +62,7 @@ impl Method for DirectRadianceMap {
             ));
         }
         Ok(Needs {
-            light_views: [self.captured()].into(),
+            rsms: [self.captured()].into(),
             ..Needs::default()
         })
     }
@@ -91,11 +91,11 @@ enum Formula {
 
 impl DirectRadianceMap {
     /// The views that are sampled. Equations 11 and 15 know no normals.
-    fn captured(&self) -> LightViewSpec {
+    fn captured(&self) -> RsmSpec {
         let shining = self.shining();
-        LightViewSpec {
+        RsmSpec {
             size: self.map_resolution,
-            channels: LightViewChannels {
+            channels: RsmChannels {
                 radiance: !shining,
                 normal: shining || self.formula() != Formula::Constant,
                 true_colors: shining,

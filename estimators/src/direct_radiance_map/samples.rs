@@ -5,9 +5,9 @@ use super::{DirectRadianceMap, Formula, TexelOf};
 use crate::texels::math::lobe_normalisation;
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
-use interreflect_scene::light_view::view_index;
 use interreflect_scene::params::Fidelity;
-use interreflect_scene::{LightFrame, LightViewImage, Projection};
+use interreflect_scene::rsm::view_index;
+use interreflect_scene::{LightFrame, Projection, RsmImage};
 use std::f32::consts::FRAC_1_PI;
 
 /// A place in the views, as photons.wgsl reads it.
@@ -102,7 +102,7 @@ fn covered(n: u32, size: u32, cell: u32) -> impl Iterator<Item = (u32, f32)> + C
 /// Makes the photons of a capture; without those that are none.
 pub(super) fn photons(
     params: &DirectRadianceMap,
-    views: &LightViewImage,
+    views: &RsmImage,
 ) -> (Vec<Photon>, Vec<Highlight>) {
     let (mut photons, mut highlights) = (Vec::new(), Vec::new());
     let per_view = (params.samples_per_side * params.samples_per_side) as usize;
@@ -142,7 +142,7 @@ pub(super) fn photons(
 }
 
 /// [`Photon::extent`].
-fn extent(params: &DirectRadianceMap, sample: &Sample, views: &LightViewImage) -> f32 {
+fn extent(params: &DirectRadianceMap, sample: &Sample, views: &RsmImage) -> f32 {
     if params.shares_hemisphere() {
         return sample.share_sr;
     }
@@ -159,7 +159,7 @@ fn extent(params: &DirectRadianceMap, sample: &Sample, views: &LightViewImage) -
 }
 
 /// What a texel reflects by Lambert's law, and k_s·E.
-fn reflected(views: &LightViewImage, texel: usize) -> (Vec3, Vec3) {
+fn reflected(views: &RsmImage, texel: usize) -> (Vec3, Vec3) {
     match views.true_colors.get(texel) {
         Some(colors) => (
             colors.diffuse * FRAC_1_PI * colors.irradiance,
@@ -170,12 +170,7 @@ fn reflected(views: &LightViewImage, texel: usize) -> (Vec3, Vec3) {
 }
 
 /// The mean of [`reflected`] over a cell of a view: texels without a photon count as dark.
-fn mean(
-    params: &DirectRadianceMap,
-    views: &LightViewImage,
-    frame: usize,
-    cell: u32,
-) -> (Vec3, Vec3) {
+fn mean(params: &DirectRadianceMap, views: &RsmImage, frame: usize, cell: u32) -> (Vec3, Vec3) {
     let (n, size) = (params.samples_per_side, params.map_resolution);
     let columns = covered(n, size, cell % n);
     let (mut diffuse, mut specular) = (Vec3::ZERO, Vec3::ZERO);

@@ -103,7 +103,7 @@ fn needs_are_no_more_than_the_formula_knows() {
     };
     let channels = |params: &DirectRadianceMap| {
         let needs = super::DirectRadianceMap::needs(params, Quantity::Irradiance, &lit).unwrap();
-        needs.light_views.first().unwrap().channels
+        needs.rsms.first().unwrap().channels
     };
     for (solid_angle, normal) in [
         (SolidAngle::Eq11, false),

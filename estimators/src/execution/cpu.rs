@@ -4,7 +4,7 @@ use super::{BackendScene, Elapsed, Phase, Placed, environment, sum};
 use crate::{Captures, Configured, Cpu, EstimatorError, Session, Unsupported};
 use interreflect_cpu::capture::cube::capture_cube;
 use interreflect_cpu::capture::directional_depth::DirectionalDepths;
-use interreflect_cpu::capture::light_view::capture_light_views;
+use interreflect_cpu::capture::rsm::capture_rsms;
 use interreflect_cpu::path_tracer::CoarseSolution;
 use interreflect_cpu::scene::CpuScene;
 use interreflect_cpu::tiles::CpuCx;
@@ -74,10 +74,10 @@ impl BackendScene for CpuLoadedScene {
             let cube = self.cx.install(capture);
             captures.cubes.insert(*spec, cube);
         }
-        for spec in &needs.light_views {
-            let capture = || capture_light_views(&self.scene, *spec);
+        for spec in &needs.rsms {
+            let capture = || capture_rsms(&self.scene, *spec);
             let views = self.cx.install(capture);
-            captures.light_views.insert(*spec, views);
+            captures.rsms.insert(*spec, views);
         }
         let elapsed = Elapsed::since(start);
         for &spec in &needs.directional_depths {
@@ -108,7 +108,7 @@ impl BackendScene for CpuLoadedScene {
 
     fn host_bytes(&self, captures: &Captures<Cpu>) -> Option<u64> {
         let cubes = captures.cubes.values().map(|cube| cube.bytes());
-        let views = captures.light_views.values().map(|views| views.bytes());
+        let views = captures.rsms.values().map(|views| views.bytes());
         Some(cubes.chain(views).map(|bytes| bytes as u64).sum())
     }
 

@@ -4,7 +4,7 @@ use super::{BackendScene, CpuLoadedScene, Elapsed, Phase, Placed, environment, m
 use crate::{Captures, Configured, EstimatorError, Gpu, Session, Unsupported};
 use interreflect_gpu::{
     GpuCoarseIrradiance, GpuContext, GpuDirectionalDepths, GpuError, GpuEstimate, GpuOccluders,
-    GpuPoints, GpuScene, capture_cube, capture_light_views,
+    GpuPoints, GpuScene, capture_cube, capture_rsms,
 };
 use interreflect_scene::{Estimate, Needs, Points, Scene};
 use std::cell::RefCell;
@@ -106,9 +106,9 @@ impl BackendScene for GpuLoadedScene {
                 let cube = capture_cube(cx, &self.scene, origin, *spec, coarse)?;
                 captures.cubes.insert(*spec, cube);
             }
-            for spec in &needs.light_views {
-                let views = capture_light_views(cx, &self.scene, *spec)?;
-                captures.light_views.insert(*spec, views);
+            for spec in &needs.rsms {
+                let views = capture_rsms(cx, &self.scene, *spec)?;
+                captures.rsms.insert(*spec, views);
             }
             Ok::<_, EstimatorError>(())
         })?;

@@ -1,7 +1,7 @@
 //! A method that declares what it never reads is told so, for every kind of capture.
 
 use super::*;
-use interreflect_scene::{LightViewChannels, PointLayout};
+use interreflect_scene::{PointLayout, RsmChannels};
 
 /// What is left of these needs after two phases have read those.
 fn unread(needs: &Needs, read: [Needs; 2]) -> Needs {
@@ -22,8 +22,8 @@ fn unread(needs: &Needs, read: [Needs; 2]) -> Needs {
         for spec in &read.cubes {
             inputs.cube(spec).err();
         }
-        for spec in &read.light_views {
-            inputs.light_view(spec).err();
+        for spec in &read.rsms {
+            inputs.rsm(spec).err();
         }
         for spec in &read.directional_depths {
             inputs.depths(spec).err();
@@ -44,9 +44,9 @@ fn each() -> [(&'static str, Needs); 5] {
         size: 8,
         slope_scaled: true,
     };
-    let view = LightViewSpec {
+    let view = RsmSpec {
         size: 8,
-        channels: LightViewChannels::default(),
+        channels: RsmChannels::default(),
     };
     let nothing = Needs::default;
     [
@@ -58,9 +58,9 @@ fn each() -> [(&'static str, Needs); 5] {
             },
         ),
         (
-            "light views",
+            "RSMs",
             Needs {
-                light_views: [view].into(),
+                rsms: [view].into(),
                 ..nothing()
             },
         ),

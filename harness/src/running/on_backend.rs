@@ -7,7 +7,7 @@ use crate::running::frames::{Frame, Frames, Shaded};
 use crate::running::measure::{Measured, measure};
 use interreflect_estimators::execution::{BackendScene, LoadedScene};
 use interreflect_estimators::{Configured, Cpu, Gpu, Quantity};
-use interreflect_scene::{LightViewImage, Needs, Points};
+use interreflect_scene::{Needs, Points, RsmImage};
 
 /// A sequence of frames on each backend, begun where its first frame was asked for.
 #[derive(Default)]
@@ -77,20 +77,20 @@ pub fn next_frame(
 ///
 /// # Errors
 /// [`RunError`] if they can't be captured, or if the scene is not on that backend.
-pub fn light_views(
+pub fn rsms(
     scene: &LoadedScene,
     backend: Backend,
     needs: &Needs,
-) -> Result<Vec<LightViewImage>, RunError> {
+) -> Result<Vec<RsmImage>, RunError> {
     match backend {
         Backend::Cpu => {
             let captures = scene.on::<Cpu>()?.capture(needs)?.0;
-            Ok(captures.light_views.into_values().collect())
+            Ok(captures.rsms.into_values().collect())
         }
         Backend::Gpu => {
             let side = scene.on::<Gpu>()?;
             let captures = side.capture(needs)?.0;
-            let views = captures.light_views.values();
+            let views = captures.rsms.values();
             let images = views.map(|views| views.download(&side.context));
             Ok(images.collect::<Result<_, _>>()?)
         }

@@ -42,6 +42,12 @@ pub(super) struct Settings {
     #[default(0.6)]
     #[schemars(range(min = 0.01, max = 1.0), extend("unit" = "m"))]
     size: f32,
+    /// Distance of the reference point from the receiver's centre, along +x. At 0 the sphere's surface points and
+    /// their normals lie on rays from the reference point, so that localizing a cube map changes nothing.
+    #[serde(rename = "reference.offset")]
+    #[default(0.25)]
+    #[schemars(range(min = 0.0, max = 0.3), extend("unit" = "m"))]
+    reference_offset: f32,
     /// Radiance that walls emit, relative to their colour.
     #[default(0.25)]
     #[schemars(range(min = 0.0, max = 10.0), extend("unit" = "W/m²/sr"))]
@@ -108,6 +114,7 @@ impl Recipe for ColoredRoom {
             Place::Floor => Vec3::new(0.0, s.gap - lo.y - room::HALF, 0.0),
         };
         let position = home + Vec3::X * s.moved;
+        let reference = Vec3::X * s.reference_offset;
         let offsets = row(s, position);
         let reach =
             position.x.abs() + offsets.iter().fold(0.0, |m, x| f32::max(m, *x)) + 0.5 * s.size;
@@ -136,8 +143,8 @@ impl Recipe for ColoredRoom {
                 intensity: Vec3::splat(s.light),
             }],
             camera: Some(room::camera(0.6 * home)),
-            reference_point: Some(position),
-            captured_at: Some(home),
+            reference_point: Some(position + reference),
+            captured_at: Some(home + reference),
             ..Setting::default()
         };
         Ok(assemble(Self::NAME, parts, setting))

@@ -1,7 +1,7 @@
 //! Cells of the lights' views, and where they lie.
 
 use glam::DVec3;
-use interreflect_cpu::capture::light_view::LitPlace;
+use interreflect_cpu::capture::rsm::LitPlace;
 use interreflect_cpu::scene::CpuScene;
 use interreflect_scene::{LightFrame, Projection, conventions};
 

@@ -57,8 +57,8 @@ impl Answer {
         matches!(claim, Claim::Meets { answers, .. } if *answers == self.kind)
     }
 
-    pub(super) fn run(&self, subject: &MethodUnderTest<'_>) -> (Asked, Found) {
-        let claim = claimed(subject, |claim| match *claim {
+    pub(super) fn run(&self, under_test: &MethodUnderTest<'_>) -> (Asked, Found) {
+        let claim = claimed(under_test, |claim| match *claim {
             Claim::Meets {
                 answers,
                 within,
@@ -70,17 +70,17 @@ impl Answer {
             Some(_) => Asked::Claimed,
             None => Asked::Tried,
         };
-        (asked, self.found(subject, claim.unwrap_or((TRIED, ""))))
+        (asked, self.found(under_test, claim.unwrap_or((TRIED, ""))))
     }
 
-    fn found(&self, subject: &MethodUnderTest<'_>, (bound, cause): (f64, &str)) -> Found {
-        let model = subject.model();
+    fn found(&self, under_test: &MethodUnderTest<'_>, (bound, cause): (f64, &str)) -> Found {
+        let model = under_test.model();
         let known = !matches!(model, OwnModel::Other(_));
-        let settings = known.then(|| (self.settings)(model, subject.quantity));
+        let settings = known.then(|| (self.settings)(model, under_test.quantity));
         let settings = settings.flatten().ok_or_else(|| {
             Nothing::NotApplicable(format!(
                 "what it computes of {} has no closed form here",
-                subject.quantity.name()
+                under_test.quantity.name()
             ))
         })?;
         let mut finding = Finding {
@@ -89,7 +89,7 @@ impl Answer {
             ..Finding::default()
         };
         for setting in &settings {
-            let (value, place) = self.worst(subject, setting)?;
+            let (value, place) = self.worst(under_test, setting)?;
             finding.cases += setting.points.len();
             if value > finding.value || value.is_nan() {
                 finding.value = value;
@@ -105,13 +105,13 @@ impl Answer {
     /// Largest difference over the largest answer, and where.
     fn worst(
         &self,
-        subject: &MethodUnderTest<'_>,
+        under_test: &MethodUnderTest<'_>,
         setting: &Setting,
     ) -> Result<(f64, String), Nothing> {
         let list = setting.points.iter().map(|(point, _)| Some(*point));
-        let points = Points::new(subject.quantity.layout(), list);
-        let (backend, method) = (subject.backend, subject.method);
-        let estimate = backend.estimate(&setting.scene, method, subject.quantity, &points)?;
+        let points = Points::new(under_test.quantity.layout(), list);
+        let (backend, method) = (under_test.backend, under_test.method);
+        let estimate = backend.estimate(&setting.scene, method, under_test.quantity, &points)?;
         let pairs = setting.points.iter().zip(estimate.iter());
         let pairs = pairs.map(|((point, exact), value)| (*point, *exact, value.as_dvec3()));
         let largest = setting.points.iter().map(|(_, e)| e.abs().max_element());

@@ -1,7 +1,7 @@
-//! Random worlds that shrink towards simple ones, and can be written down and read again.
+//! Random box scenes that shrink towards simple ones, and that JSON can hold.
 
 use super::answers::{orientations, within};
-use super::world::{Lighting, Placement, World};
+use super::box_scene::{BoxScene, Lighting, Placement};
 use glam::{DVec3, Vec3};
 use interreflect_scene::{Point, SceneFacts, SurfaceMaterial};
 use proptest::prelude::*;
@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::str::FromStr;
 
-/// A world in few numbers, each a hundredth or a whole: what a counterexample is told by.
+/// A box scene as a few numbers, hundredths or integers, so that a counterexample is short.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Case {
@@ -115,10 +115,10 @@ impl Case {
         }
     }
 
-    /// The world that it tells of.
-    pub fn world(&self, lighting: Lighting) -> World {
+    /// The box scene with these numbers.
+    pub fn box_scene(&self, lighting: Lighting) -> BoxScene {
         let half = Vec3::from(self.half);
-        World {
+        BoxScene {
             lighting,
             half,
             walls: self.walls.map(Vec3::splat),
@@ -155,7 +155,7 @@ fn point(index: usize, [at, normal]: [[f32; 3]; 2], half: Vec3) -> Point {
     }
 }
 
-/// What is there in all worlds under a lighting.
+/// Points that every box scene under a lighting has.
 pub(super) fn facts(lighting: Lighting) -> SceneFacts {
     SceneFacts {
         surfaces: true,

@@ -3,7 +3,7 @@
 
 mod axes;
 
-use super::world::Lighting;
+use super::box_scene::Lighting;
 use super::{MethodUnderTest, TestBackend, Verdict, VerifyError, claimed};
 use crate::exchange::uploaded;
 use axes::{Axis, Place};
@@ -35,18 +35,18 @@ pub struct Extreme {
 }
 
 /// Takes a method to every extreme.
-pub fn extremes(subject: &MethodUnderTest<'_>) -> Vec<Extreme> {
-    let lighting = Lighting::of(subject.model(), subject.quantity);
+pub fn extremes(under_test: &MethodUnderTest<'_>) -> Vec<Extreme> {
+    let lighting = Lighting::of(under_test.model(), under_test.quantity);
     let mut all = Vec::new();
     for axis in axes::all() {
         for value in (axis.values)() {
-            all.push(at(subject, &axis, value, lighting));
+            all.push(at(under_test, &axis, value, lighting));
         }
     }
     all
 }
 
-fn at(subject: &MethodUnderTest<'_>, axis: &Axis, value: f64, lighting: Lighting) -> Extreme {
+fn at(under_test: &MethodUnderTest<'_>, axis: &Axis, value: f64, lighting: Lighting) -> Extreme {
     let blank = Extreme {
         axis: axis.name,
         unit: axis.unit,
@@ -56,7 +56,7 @@ fn at(subject: &MethodUnderTest<'_>, axis: &Axis, value: f64, lighting: Lighting
         verdict: Verdict::NotApplicable,
         note: String::new(),
     };
-    let Some(place) = (axis.place)(subject, lighting, value) else {
+    let Some(place) = (axis.place)(under_test, lighting, value) else {
         return Extreme {
             note: "the axis does not touch it".into(),
             ..blank
@@ -69,7 +69,7 @@ fn at(subject: &MethodUnderTest<'_>, axis: &Axis, value: f64, lighting: Lighting
             ..blank
         };
     }
-    match measured(subject, &place) {
+    match measured(under_test, &place) {
         Err(VerifyError::Unsupported(why)) => Extreme {
             note: why.to_string(),
             ..blank
@@ -83,7 +83,7 @@ fn at(subject: &MethodUnderTest<'_>, axis: &Axis, value: f64, lighting: Lighting
             note: error.to_string(),
             ..blank
         },
-        Ok(found) => judged(subject, axis, found, blank),
+        Ok(found) => judged(under_test, axis, found, blank),
     }
 }
 
@@ -93,8 +93,13 @@ struct Measured {
     relative_error: Option<f64>,
 }
 
-fn judged(subject: &MethodUnderTest<'_>, axis: &Axis, found: Measured, blank: Extreme) -> Extreme {
-    let bound = claimed(subject, |claim| match *claim {
+fn judged(
+    under_test: &MethodUnderTest<'_>,
+    axis: &Axis,
+    found: Measured,
+    blank: Extreme,
+) -> Extreme {
+    let bound = claimed(under_test, |claim| match *claim {
         Claim::Bounded { by, .. } => Some(by),
         _ => None,
     });
@@ -117,14 +122,14 @@ fn judged(subject: &MethodUnderTest<'_>, axis: &Axis, found: Measured, blank: Ex
     }
 }
 
-fn measured(subject: &MethodUnderTest<'_>, place: &Place) -> Result<Measured, VerifyError> {
+fn measured(under_test: &MethodUnderTest<'_>, place: &Place) -> Result<Measured, VerifyError> {
     let Place {
         scene,
         points,
         method,
         greatest,
     } = place;
-    let (backend, quantity) = (subject.backend, subject.quantity);
+    let (backend, quantity) = (under_test.backend, under_test.quantity);
     // On its own captures: finite, or an error.
     let own = backend.estimate(scene, &**method, quantity, points)?;
     let (TestBackend::Cpu(cx) | TestBackend::Gpu(cx, _)) = backend;

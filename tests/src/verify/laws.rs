@@ -81,16 +81,16 @@ impl Law {
     }
 
     /// Tries to falsify the law.
-    pub(super) fn run(&self, subject: &MethodUnderTest<'_>) -> (Asked, Found) {
-        (Asked::Claimed, self.found(subject))
+    pub(super) fn run(&self, under_test: &MethodUnderTest<'_>) -> (Asked, Found) {
+        (Asked::Claimed, self.found(under_test))
     }
 
-    fn found(&self, subject: &MethodUnderTest<'_>) -> Found {
-        if subject.backend.name() != "cpu" {
+    fn found(&self, under_test: &MethodUnderTest<'_>) -> Found {
+        if under_test.backend.name() != "cpu" {
             let why = "a kernel is tried on the host; its WGSL twin is compared with it".into();
             return Err(Nothing::NotApplicable(why));
         }
-        let kernel = claimed(subject, |claim| match *claim {
+        let kernel = claimed(under_test, |claim| match *claim {
             Claim::FormFactor { law, kernel } if law == self.law => Some(kernel),
             _ => None,
         });

@@ -1,6 +1,6 @@
 //! An estimator that is checked: one method with its parameters, one quantity, one backend.
 
-use super::{Case, TestBackend, VerifyError, World};
+use super::{BoxScene, Case, TestBackend, VerifyError};
 use interreflect_estimators::{Claim, Configured, OwnModel, Quantity};
 use interreflect_scene::{Estimate, Points, Scene, SceneFacts};
 use std::f64::consts::PI;
@@ -13,11 +13,11 @@ pub struct MethodUnderTest<'a> {
     pub method: &'a dyn Configured,
     /// What it estimates.
     pub quantity: Quantity,
-    /// Random worlds that each claim is tried in.
+    /// Number of random box scenes for each claim.
     pub cases: u32,
-    /// Seed of the random worlds.
+    /// Seed of the random box scenes.
     pub seed: u64,
-    /// One world instead of random ones.
+    /// One box scene instead of random ones.
     pub case: Option<Case>,
 }
 
@@ -32,14 +32,14 @@ impl MethodUnderTest<'_> {
         self.method.model(self.quantity)
     }
 
-    /// Its estimate in a world.
+    /// Its estimate in a box scene.
     ///
     /// # Errors
     /// [`VerifyError`] as [`TestBackend::estimate`].
-    pub fn estimate(&self, world: &World) -> Result<Estimate, VerifyError> {
-        let points = world.placed_points(self.quantity);
+    pub fn estimate(&self, box_scene: &BoxScene) -> Result<Estimate, VerifyError> {
+        let points = box_scene.placed_points(self.quantity);
         self.backend
-            .estimate(&world.scene(), self.method, self.quantity, &points)
+            .estimate(&box_scene.scene(), self.method, self.quantity, &points)
     }
 
     /// Its estimates at several lists of points of a scene.
@@ -77,7 +77,7 @@ impl MethodUnderTest<'_> {
             return 0.0;
         };
         let cubes = needs.cubes.iter().map(|c| 6.0 * f64::from(c.size).powi(2));
-        let views = needs.light_views.iter();
+        let views = needs.rsms.iter();
         let views = views.map(|v| 6.0 * f64::from(facts.lights) * f64::from(v.size).powi(2));
         cubes.chain(views).sum()
     }

@@ -2,9 +2,10 @@
 //! it claims.
 //!
 //! [`checks`] is the one list. A check gives a [`Finding`]: a number that has to stay at or below a
-//! bound, the worst over its cases, and for a random world ([`Case`]) the smallest counterexample.
+//! bound, the worst over its cases, and for a random box scene ([`Case`]) the smallest counterexample.
 
 mod answers;
+mod box_scene;
 mod case;
 mod converge;
 mod extremes;
@@ -15,15 +16,14 @@ mod property;
 mod rules;
 mod settings;
 mod test_backend;
-mod world;
 
+pub use box_scene::{BoxScene, Lighting, Placement, sky};
 pub use case::Case;
 pub use extremes::{Extreme, extremes};
 pub use method_under_test::MethodUnderTest;
 pub use rules::rules_in;
 pub use settings::quick;
 pub use test_backend::{OnBackend, TestBackend, VerifyError};
-pub use world::{Lighting, Placement, World, sky};
 
 use answers::Answer;
 use interreflect_estimators::{Claim, Unsupported};
@@ -48,7 +48,7 @@ enum Kind {
     Parity(Parity),
     /// An exact answer.
     Answer(Answer),
-    /// A claim tried in random worlds.
+    /// A claim tried in random box scenes.
     Property(Property),
     /// Convergence in a parameter.
     Convergence,
@@ -93,11 +93,11 @@ pub struct Finding {
     pub value: f64,
     /// What it may be at most.
     pub bound: f64,
-    /// Worlds or points that were tried.
+    /// Box scenes or points that were tried.
     pub cases: usize,
     /// Where the worst was met, and what is left where the bound is not 0.
     pub note: String,
-    /// The smallest random world in which it does not hold.
+    /// The smallest random box scene in which it does not hold.
     pub counterexample: Option<Case>,
 }
 
@@ -183,18 +183,18 @@ impl Check {
     }
 
     /// Carries the check out.
-    pub fn run(&self, subject: &MethodUnderTest<'_>) -> Checked {
-        if let Err(why) = subject.backend.opens(subject.method) {
+    pub fn run(&self, under_test: &MethodUnderTest<'_>) -> Checked {
+        if let Err(why) = under_test.backend.opens(under_test.method) {
             return Checked::because(Verdict::NotApplicable, why.to_string());
         }
         let (asked, found) = match &self.kind {
-            Kind::Rule(rule) => (Asked::Claimed, rule.run(subject)),
-            Kind::Parity(parity) => (Asked::Claimed, parity.run(subject)),
-            Kind::Answer(answer) => answer.run(subject),
-            Kind::Property(property) => property.run(subject),
-            Kind::Convergence => converge::run(subject),
-            Kind::Law(law) => law.run(subject),
-            Kind::Own(find) => (Asked::Claimed, find(subject).map_err(Nothing::from)),
+            Kind::Rule(rule) => (Asked::Claimed, rule.run(under_test)),
+            Kind::Parity(parity) => (Asked::Claimed, parity.run(under_test)),
+            Kind::Answer(answer) => answer.run(under_test),
+            Kind::Property(property) => property.run(under_test),
+            Kind::Convergence => converge::run(under_test),
+            Kind::Law(law) => law.run(under_test),
+            Kind::Own(find) => (Asked::Claimed, find(under_test).map_err(Nothing::from)),
         };
         judged(&asked, found)
     }
@@ -250,6 +250,6 @@ fn judged(asked: &Asked, found: Found) -> Checked {
 }
 
 /// The bound that some claim of a method gives, and why.
-fn claimed<T>(subject: &MethodUnderTest<'_>, of: impl Fn(&Claim) -> Option<T>) -> Option<T> {
-    subject.claims().iter().find_map(of)
+fn claimed<T>(under_test: &MethodUnderTest<'_>, of: impl Fn(&Claim) -> Option<T>) -> Option<T> {
+    under_test.claims().iter().find_map(of)
 }

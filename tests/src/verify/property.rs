@@ -1,11 +1,11 @@
-//! Claims that are tried in random worlds.
+//! Claims, tested in random box scenes.
 
 mod at_points;
 mod invariances;
 mod light;
 
+use super::box_scene::{BoxScene, Lighting};
 use super::case::Case;
-use super::world::{Lighting, World};
 use super::{Asked, Finding, Found, MethodUnderTest, Nothing, VerifyError, claimed};
 use glam::Vec3;
 use interreflect_estimators::{Claim, Quantity};
@@ -25,8 +25,8 @@ pub(super) struct Property {
     slack: Slack,
     /// Why it can't be asked under this lighting, if it can't.
     out_of_place: fn(Lighting, Quantity) -> Option<&'static str>,
-    /// How far it is from holding in a world.
-    violation: fn(&MethodUnderTest<'_>, &World) -> Result<Worst, VerifyError>,
+    /// By how much it is violated in a box scene.
+    violation: fn(&MethodUnderTest<'_>, &BoxScene) -> Result<Worst, VerifyError>,
 }
 
 /// What a bound leaves room for.
@@ -44,7 +44,7 @@ pub(super) fn all() -> Vec<Property> {
     all.chain([at_points::property()]).collect()
 }
 
-/// The worst that was met at the points of a world.
+/// The largest violation among the points of a box scene.
 #[derive(Clone, Copy, Debug, Default)]
 struct Worst {
     value: f64,
@@ -91,7 +91,7 @@ fn apart(a: Vec3, b: Vec3) -> f64 {
     f64::from((a - b).abs().max_element())
 }
 
-/// Worlds that a shrinking counterexample may be tried in.
+/// Box scenes that a shrinking counterexample may be tried in.
 const SHRINKING: u32 = 120;
 
 impl Property {
@@ -100,40 +100,40 @@ impl Property {
     }
 
     /// Tries to falsify the claim.
-    pub(super) fn run(&self, subject: &MethodUnderTest<'_>) -> (Asked, Found) {
-        let claim = claimed(subject, self.bound);
+    pub(super) fn run(&self, under_test: &MethodUnderTest<'_>) -> (Asked, Found) {
+        let claim = claimed(under_test, self.bound);
         let asked = match claim {
             Some(_) => Asked::Claimed,
             None => Asked::Tried,
         };
-        (asked, self.found(subject, claim))
+        (asked, self.found(under_test, claim))
     }
 
-    fn found(&self, subject: &MethodUnderTest<'_>, claim: Option<(f64, &'static str)>) -> Found {
-        let lighting = Lighting::of(subject.model(), subject.quantity);
-        if let Some(why) = (self.out_of_place)(lighting, subject.quantity) {
+    fn found(&self, under_test: &MethodUnderTest<'_>, claim: Option<(f64, &'static str)>) -> Found {
+        let lighting = Lighting::of(under_test.model(), under_test.quantity);
+        if let Some(why) = (self.out_of_place)(lighting, under_test.quantity) {
             return Err(Nothing::NotApplicable(why.into()));
         }
         let Some((bound, cause)) = claim.or(self.tried.map(|bound| (bound, ""))) else {
             return Err(Nothing::NotApplicable("not claimed".into()));
         };
-        let bound = bound + self.slack(subject, lighting);
-        if let Some(case) = &subject.case {
-            return self.tell(subject, case, lighting, bound, cause, 1);
+        let bound = bound + self.slack(under_test, lighting);
+        if let Some(case) = &under_test.case {
+            return self.tell(under_test, case, lighting, bound, cause, 1);
         }
         let worst = Cell::new(0.0_f64);
         let tried = Cell::new(0);
         // What is not claimed is not worth a small counterexample.
         let shrinking = if claim.is_some() { SHRINKING } else { 0 };
         let smaller = Cell::new(None::<u32>);
-        let outcome = runner(subject).run(&Case::any(), |case| {
+        let outcome = runner(under_test).run(&Case::any(), |case| {
             match smaller.get() {
                 // Whatever is still simpler than the smallest so far is let pass.
                 Some(count) if count >= shrinking => return Ok(()),
                 Some(count) => smaller.set(Some(count + 1)),
                 None => tried.set(tried.get() + 1),
             }
-            let outcome = match (self.violation)(subject, &case.world(lighting)) {
+            let outcome = match (self.violation)(under_test, &case.box_scene(lighting)) {
                 Ok(found) if found.value <= bound => {
                     worst.set(worst.get().max(found.value));
                     return Ok(());
@@ -155,23 +155,23 @@ impl Property {
                 counterexample: None,
             }),
             Err(TestError::Fail(_, case)) => {
-                self.tell(subject, &case, lighting, bound, cause, tried)
+                self.tell(under_test, &case, lighting, bound, cause, tried)
             }
             Err(TestError::Abort(why)) => Err(Nothing::NotApplicable(why.to_string())),
         }
     }
 
-    /// One world's finding, in words.
+    /// The violation in one box scene, as a sentence.
     fn tell(
         &self,
-        subject: &MethodUnderTest<'_>,
+        under_test: &MethodUnderTest<'_>,
         case: &Case,
         lighting: Lighting,
         bound: f64,
         cause: &str,
         cases: usize,
     ) -> Found {
-        let (value, what) = match (self.violation)(subject, &case.world(lighting)) {
+        let (value, what) = match (self.violation)(under_test, &case.box_scene(lighting)) {
             Ok(found) => (found.value, format!("worst at point {}", found.point)),
             Err(VerifyError::Unsupported(why)) => return Err(why.into()),
             // No number, or no estimate at all: beyond every bound.
@@ -192,20 +192,20 @@ impl Property {
         })
     }
 
-    fn slack(&self, subject: &MethodUnderTest<'_>, lighting: Lighting) -> f64 {
+    fn slack(&self, under_test: &MethodUnderTest<'_>, lighting: Lighting) -> f64 {
         let facts = super::case::facts(lighting);
-        let rounding = subject.rounding(&facts);
+        let rounding = under_test.rounding(&facts);
         match self.slack {
             Slack::Rounding => rounding,
-            Slack::Edges => rounding + subject.edge_texels(&facts),
+            Slack::Edges => rounding + under_test.edge_texels(&facts),
         }
     }
 }
 
-/// Worlds from the subject's seed, the same for every property, method and backend.
-fn runner(subject: &MethodUnderTest<'_>) -> TestRunner {
+/// Box scenes from the seed of the method under test, the same for every property, method and backend.
+fn runner(under_test: &MethodUnderTest<'_>) -> TestRunner {
     let config = Config {
-        cases: subject.cases,
+        cases: under_test.cases,
         // No more than `SHRINKING` of them are tried; the largest number would mean four a case.
         max_shrink_iters: u32::MAX - 1,
         max_local_rejects: 1,
@@ -214,6 +214,6 @@ fn runner(subject: &MethodUnderTest<'_>) -> TestRunner {
         ..Config::default()
     };
     let mut seed = [0; 32];
-    seed[..8].copy_from_slice(&subject.seed.to_le_bytes());
+    seed[..8].copy_from_slice(&under_test.seed.to_le_bytes());
     TestRunner::new_with_rng(config, TestRng::from_seed(RngAlgorithm::ChaCha, &seed))
 }

@@ -3,8 +3,8 @@
 mod captures;
 mod points;
 
+use super::box_scene::{BoxScene, Lighting};
 use super::case::Case;
-use super::world::{Lighting, World};
 use super::{Asked, Checked, Finding, Found, MethodUnderTest, Nothing, judged};
 use glam::Vec3;
 use interreflect_scene::{Points, Scene};
@@ -20,8 +20,8 @@ pub(super) struct Rule {
 enum Where {
     /// In any scene, at any points.
     Scene(fn(&MethodUnderTest<'_>, &Scene, &Points) -> Outcome),
-    /// In a world that the rule changes.
-    World(fn(&MethodUnderTest<'_>, World) -> Outcome),
+    /// In a box scene that the rule varies.
+    BoxScene(fn(&MethodUnderTest<'_>, BoxScene) -> Outcome),
 }
 
 /// How often a rule was broken.
@@ -46,7 +46,7 @@ impl Broken {
 }
 
 impl Broken {
-    /// Takes in what was found in one more world.
+    /// Takes in what was found in one more box scene.
     fn add(&mut self, found: Self, lighting: Lighting) {
         if self.count == 0 && found.count > 0 {
             self.first = format!("{lighting:?}: {}", found.first);
@@ -64,21 +64,21 @@ pub(super) fn all() -> Vec<Rule> {
 impl Rule {
     /// Tries the rule: where any scene will do, in closed walls, in the light of a lamp and under an open
     /// sky, as far as the method can work there.
-    pub(super) fn run(&self, subject: &MethodUnderTest<'_>) -> Found {
+    pub(super) fn run(&self, under_test: &MethodUnderTest<'_>) -> Found {
         let broken = match self.broken {
             Where::Scene(broken) => broken,
-            Where::World(broken) => {
+            Where::BoxScene(broken) => {
                 return finding(broken(
-                    subject,
-                    world(Lighting::of(subject.model(), subject.quantity)),
+                    under_test,
+                    box_scene(Lighting::of(under_test.model(), under_test.quantity)),
                 )?);
             }
         };
         let (mut all, mut reason) = (Broken::default(), None);
         for lighting in [Lighting::Walls, Lighting::Lamp, Lighting::Sky] {
-            let world = world(lighting);
-            let points = world.placed_points(subject.quantity);
-            match broken(subject, &world.scene(), &points) {
+            let box_scene = box_scene(lighting);
+            let points = box_scene.placed_points(under_test.quantity);
+            match broken(under_test, &box_scene.scene(), &points) {
                 Ok(found) => all.add(found, lighting),
                 Err(Nothing::NotApplicable(why)) => reason = Some(why),
                 Err(error) => return Err(error),
@@ -90,24 +90,26 @@ impl Rule {
         }
     }
 
-    fn in_scene(&self, subject: &MethodUnderTest<'_>, scene: &Scene, points: &Points) -> Found {
+    fn in_scene(&self, under_test: &MethodUnderTest<'_>, scene: &Scene, points: &Points) -> Found {
         match self.broken {
-            Where::Scene(broken) => finding(broken(subject, scene, points)?),
-            Where::World(_) => Err(Nothing::NotApplicable("it needs a world to change".into())),
+            Where::Scene(broken) => finding(broken(under_test, scene, points)?),
+            Where::BoxScene(_) => Err(Nothing::NotApplicable(
+                "it needs a box scene to vary".into(),
+            )),
         }
     }
 }
 
 /// The rules that can be tried in any scene, tried there: each one's name and what it came to.
 pub fn rules_in<'a>(
-    subject: &'a MethodUnderTest<'a>,
+    under_test: &'a MethodUnderTest<'a>,
     scene: &'a Scene,
     points: &'a Points,
 ) -> impl Iterator<Item = (&'static str, Checked)> + 'a {
     let anywhere = all().into_iter();
     let anywhere = anywhere.filter(|rule| matches!(rule.broken, Where::Scene(_)));
     anywhere.map(|rule| {
-        let found = rule.in_scene(subject, scene, points);
+        let found = rule.in_scene(under_test, scene, points);
         (rule.name, judged(&Asked::Claimed, found))
     })
 }
@@ -122,10 +124,10 @@ fn finding(broken: Broken) -> Found {
     })
 }
 
-/// A world of unequal walls, with more points than a block of 64, and not a multiple of sixteen.
-fn world(lighting: Lighting) -> World {
+/// A box scene of unequal walls, with more points than a block of 64, and not a multiple of sixteen.
+fn box_scene(lighting: Lighting) -> BoxScene {
     const POINTS: usize = 203;
-    Case::unequal(POINTS).world(lighting)
+    Case::unequal(POINTS).box_scene(lighting)
 }
 
 fn same_bits(a: Vec3, b: Vec3) -> bool {

@@ -3,7 +3,7 @@
 use interreflect_estimators::Configured;
 use interreflect_scene::params::Value;
 
-/// Small captures, small maps and few samples, where the method has them: random worlds are small,
+/// Small captures, small maps and few samples, where the method has them: random box scenes are small,
 /// and a check runs many of them. What the user sets is set afterwards.
 pub fn quick(method: &mut dyn Configured) {
     let fields = method.values();

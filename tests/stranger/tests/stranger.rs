@@ -31,7 +31,7 @@ fn a_true_word_passes_every_check_that_it_is_about() {
 /// Doubled, the brightest gives more than all walls could, and is no sum; the smallest box in which that
 /// shows is told, with the command that shows it.
 #[test]
-fn a_false_word_fails_with_a_small_world_and_a_command_that_shows_it() {
+fn a_false_claim_fails_with_a_small_box_scene_and_a_command_that_reproduces_it() {
     let output = run(&[&VERIFY[..], &["--estimator", "boastful"]].concat());
     assert_eq!(output.status.code(), Some(1));
     let json = json(&output);

@@ -1,8 +1,8 @@
 //! Captured radiance that holds further reflections leads to the truth, reflection by reflection.
 
 use crate::ensure;
-use crate::subjects::{SUBJECTS, Subject};
-use crate::world::{CPU, Outcome, Variant, bounced, cpu_scene, run};
+use crate::test_scenes::{TEST_SCENES, TestScene};
+use crate::variants::{CPU, Outcome, Variant, bounced, cpu_scene, run};
 use interreflect_conformance::own_model::evaluate;
 use interreflect_cpu::path_tracer::Stop;
 use interreflect_estimators::{OwnModel, Quantity};
@@ -11,12 +11,12 @@ use libtest_mimic::Trial;
 
 pub(crate) fn trials() -> Vec<Trial> {
     let mut trials = vec![Trial::test("bounces/cornell-box/model", || {
-        model_converges_to_truth(&SUBJECTS[1])
+        model_converges_to_truth(&TEST_SCENES[1])
     })];
     for variant in bounced(64) {
         let name = format!("bounces/cornell-box/{}", variant.name());
         trials.push(Trial::test(name, move || {
-            every_bounce_adds_less(&SUBJECTS[1], variant)
+            every_bounce_adds_less(&TEST_SCENES[1], variant)
         }));
     }
     trials
@@ -29,10 +29,10 @@ const SAMPLES: Stop = Stop {
 };
 
 /// What is seen from the reference point, at its place, against full light transport.
-fn model_converges_to_truth(subject: &Subject) -> Outcome {
-    let points = subject.points(PointLayout::Surface);
+fn model_converges_to_truth(test_scene: &TestScene) -> Outcome {
+    let points = test_scene.points(PointLayout::Surface);
     let value = |model| {
-        let (scene, quantity) = (&subject.cpu, Quantity::Irradiance);
+        let (scene, quantity) = (&test_scene.cpu, Quantity::Irradiance);
         evaluate(&CPU, model, quantity, scene, &points, &SAMPLES, 5).values
     };
     let truth = value(OwnModel::LightTransport(LightPaths::default()));
@@ -56,12 +56,12 @@ fn model_converges_to_truth(subject: &Subject) -> Outcome {
 }
 
 /// The estimates' sum grows, by less with every bounce: surfaces absorb.
-fn every_bounce_adds_less(subject: &Subject, mut variant: Variant) -> Outcome {
-    let points = subject.points(variant.quantity.layout());
+fn every_bounce_adds_less(test_scene: &TestScene, mut variant: Variant) -> Outcome {
+    let points = test_scene.points(variant.quantity.layout());
     let mut sums: Vec<f64> = Vec::new();
     for bounces in 0..6 {
         variant.method.set("bounces", &bounces.to_string())?;
-        let estimate: Estimate = run(&cpu_scene(subject), &variant, &points)?;
+        let estimate: Estimate = run(&cpu_scene(test_scene), &variant, &points)?;
         sums.push(estimate.iter().map(|v| f64::from(v.element_sum())).sum());
     }
     let added: Vec<f64> = sums.windows(2).map(|s| s[1] - s[0]).collect();

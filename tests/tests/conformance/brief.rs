@@ -1,7 +1,7 @@
 //! Messages that fit a screen.
 
 use crate::ensure;
-use crate::world::Outcome;
+use crate::variants::Outcome;
 
 /// Lines of a message at most.
 const LINES: usize = 20;

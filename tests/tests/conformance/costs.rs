@@ -1,11 +1,11 @@
 //! What a scene does not have costs no pass.
 
 use crate::ensure;
-use crate::subjects::{SUBJECTS, Subject};
-use crate::world::{Outcome, Variant, gpu_scene, on_gpu, variants};
+use crate::test_scenes::{TEST_SCENES, TestScene};
+use crate::variants::{Outcome, Variant, gpu_scene, on_gpu, variants};
 use interreflect_cpu::scene::CpuScene;
 use interreflect_estimators::{Changed, Quantity};
-use interreflect_gpu::{GpuContext, GpuError, capture_cube, capture_light_views};
+use interreflect_gpu::{GpuContext, GpuError, capture_cube, capture_rsms};
 use interreflect_scene::conventions::CUBE_FACES;
 use interreflect_scene::{CubeSpec, Needs, Point, Points};
 use libtest_mimic::{Failed, Trial};
@@ -28,17 +28,17 @@ fn on_device() -> impl Iterator<Item = Variant> {
 /// Labels of the passes that making the captures takes.
 fn capture_passes(
     context: &Arc<GpuContext>,
-    subject: &Subject,
+    test_scene: &TestScene,
     needs: &Needs,
 ) -> Result<Vec<&'static str>, Failed> {
-    let loaded = gpu_scene(context, subject)?;
-    let origin = subject.cpu.scene().reference_point;
+    let loaded = gpu_scene(context, test_scene)?;
+    let origin = test_scene.cpu.scene().reference_point;
     let (passes, _) = context.record("capture", |cx| {
         for spec in &needs.cubes {
             capture_cube(cx, &loaded.scene, origin, *spec, None)?;
         }
-        for spec in &needs.light_views {
-            capture_light_views(cx, &loaded.scene, *spec)?;
+        for spec in &needs.rsms {
+            capture_rsms(cx, &loaded.scene, *spec)?;
         }
         Ok::<_, GpuError>(cx.passes().to_vec())
     })?;
@@ -48,11 +48,11 @@ fn capture_passes(
 /// Labels of the passes of `prepare` and `shade`.
 fn method_passes(
     context: &Arc<GpuContext>,
-    subject: &Subject,
+    test_scene: &TestScene,
     variant: &Variant,
     points: &Points,
 ) -> Result<Vec<&'static str>, Failed> {
-    let loaded = gpu_scene(context, subject)?;
+    let loaded = gpu_scene(context, test_scene)?;
     let mut executor = variant.executor(&loaded, points)?;
     let mut passes = Vec::new();
     executor.phase("prepare", Changed::ALL, |session, frame| {
@@ -75,25 +75,25 @@ const SHADOWS: &str = "shadow maps";
 /// In the emitting box there is no light: no method's captures render shadow maps. In the
 /// coloured room with its lamp those of every method that captures radiance do.
 fn shadows(context: &Arc<GpuContext>) -> Outcome {
-    let [lit, unlit] = [&SUBJECTS[0], &SUBJECTS[3]].map(|s| -> &Subject { s });
+    let [lit, unlit] = [&TEST_SCENES[0], &TEST_SCENES[3]].map(|s| -> &TestScene { s });
     ensure!(
         lit.cpu.scene().facts().lights > 0 && unlit.cpu.scene().facts().lights == 0,
         "the scenes are not what they should be"
     );
     for variant in on_device() {
-        for (subject, expected) in [(lit, true), (unlit, false)] {
-            if !variant.runs_in(subject) {
+        for (test_scene, expected) in [(lit, true), (unlit, false)] {
+            if !variant.runs_in(test_scene) {
                 continue;
             }
-            let facts = subject.cpu.scene().facts();
+            let facts = test_scene.cpu.scene().facts();
             let needs = variant.method.needs(variant.quantity, &facts)?;
-            let passes = capture_passes(context, subject, &needs)?;
+            let passes = capture_passes(context, test_scene, &needs)?;
             let radiance = needs.cubes.iter().any(|c| c.channels.radiance);
             ensure!(
                 passes.contains(&SHADOWS) == (expected && radiance),
                 "{} in {}: {passes:?}",
                 variant.name(),
-                subject.name
+                test_scene.name
             );
         }
     }
@@ -103,11 +103,11 @@ fn shadows(context: &Arc<GpuContext>) -> Outcome {
 /// Under an open sky nothing has a place: six passes for each cube, one a face, and no channel but
 /// radiance. In a room some method asks for more.
 fn places(context: &Arc<GpuContext>) -> Outcome {
-    let [room, sky] = [&SUBJECTS[3], &SUBJECTS[4]].map(|s| -> &Subject { s });
+    let [room, sky] = [&TEST_SCENES[3], &TEST_SCENES[4]].map(|s| -> &TestScene { s });
     let mut located = 0;
     for variant in on_device() {
-        let needs_in = |subject: &Subject| {
-            let facts = subject.cpu.scene().facts();
+        let needs_in = |test_scene: &TestScene| {
+            let facts = test_scene.cpu.scene().facts();
             variant.method.needs(variant.quantity, &facts)
         };
         let has_place = |c: &CubeSpec| c.channels.distance || c.channels.normal;
@@ -137,12 +137,12 @@ fn places(context: &Arc<GpuContext>) -> Outcome {
 /// Where no point has a specular lobe, no pass is for lobes: a method's passes are fewer than where
 /// some have, or the same if it has none for them.
 fn lobes(context: &Arc<GpuContext>) -> Outcome {
-    let subject: &Subject = &SUBJECTS[0];
+    let test_scene: &TestScene = &TEST_SCENES[0];
     let mut fewer = 0;
-    let glossy = |v: &Variant| v.quantity == Quantity::GlossyRadiance && v.runs_in(subject);
+    let glossy = |v: &Variant| v.quantity == Quantity::GlossyRadiance && v.runs_in(test_scene);
     for variant in on_device().filter(glossy) {
         let of = |shines: bool| {
-            let points = subject.points(variant.quantity.layout());
+            let points = test_scene.points(variant.quantity.layout());
             let dull = |p: Point| {
                 let mut p = p;
                 p.material.specular *= f32::from(u8::from(shines));
@@ -150,7 +150,7 @@ fn lobes(context: &Arc<GpuContext>) -> Outcome {
             };
             let points = points.iter().map(|p| p.map(dull));
             let points = Points::new(variant.quantity.layout(), points);
-            method_passes(context, subject, &variant, &points)
+            method_passes(context, test_scene, &variant, &points)
         };
         let (with, without) = (of(true)?, of(false)?);
         ensure!(
@@ -165,12 +165,12 @@ fn lobes(context: &Arc<GpuContext>) -> Outcome {
 }
 
 /// Label of the pass that mirrors in lights' views need.
-const MIRRORS: &str = "mirrors in light views";
+const MIRRORS: &str = "mirrors in RSMs";
 
 /// Pictures from the lights take one pass a view, one that finds what is lit, no shadow maps; and
 /// one that follows mirrors where the scene has some.
 fn mirrors(context: &Arc<GpuContext>) -> Outcome {
-    let plain: &Subject = &SUBJECTS[1];
+    let plain: &TestScene = &TEST_SCENES[1];
     let mut scene = plain.cpu.scene().clone();
     for material in &mut scene.materials {
         material.mirror = true;
@@ -178,27 +178,27 @@ fn mirrors(context: &Arc<GpuContext>) -> Outcome {
     let mirrored = plain.with_scene(Arc::new(CpuScene::new(&scene)?));
     let mut pictured = 0;
     for variant in on_device().filter(|v| v.runs_in(plain)) {
-        for (subject, expected) in [(plain, false), (&mirrored, true)] {
-            let facts = subject.cpu.scene().facts();
+        for (test_scene, expected) in [(plain, false), (&mirrored, true)] {
+            let facts = test_scene.cpu.scene().facts();
             let needs = variant.method.needs(variant.quantity, &facts)?;
             let only = Needs {
-                light_views: needs.light_views,
+                rsms: needs.rsms,
                 ..Needs::default()
             };
-            let passes = capture_passes(context, subject, &only)?;
-            let views = subject.cpu.scene().light_frames().len();
+            let passes = capture_passes(context, test_scene, &only)?;
+            let views = test_scene.cpu.scene().light_frames().len();
             let each = views + 1 + usize::from(expected);
             ensure!(
-                passes.len() == each * only.light_views.len(),
+                passes.len() == each * only.rsms.len(),
                 "{}: {passes:?}",
                 variant.name()
             );
             ensure!(
-                passes.contains(&MIRRORS) == (expected && !only.light_views.is_empty()),
+                passes.contains(&MIRRORS) == (expected && !only.rsms.is_empty()),
                 "{}: {passes:?}",
                 variant.name()
             );
-            pictured += only.light_views.len();
+            pictured += only.rsms.len();
         }
     }
     ensure!(pictured > 0, "no method takes pictures from lights");

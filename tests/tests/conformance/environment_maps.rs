@@ -5,8 +5,8 @@ mod harmonics;
 mod pyramid;
 mod switches;
 
-use crate::subjects::SUBJECTS;
-use crate::world::{Outcome, Variant, cpu_scene, estimate, gpu_scene, on_gpu};
+use crate::test_scenes::TEST_SCENES;
+use crate::variants::{Outcome, Variant, cpu_scene, estimate, gpu_scene, on_gpu};
 use glam::{DVec3, Vec3};
 use interreflect_estimators::execution::{BackendScene, CpuLoadedScene, GpuLoadedScene};
 use interreflect_estimators::{Captures, Quantity, Registry};
@@ -26,11 +26,11 @@ pub(crate) fn trials() -> Vec<Trial> {
             let name = concat!("environment_maps/", stringify!($check));
             trials.push(Trial::test(format!("{name}/cpu"), || {
                 let check: Check<_> = $module::$check;
-                check(&cpu_scene(&SUBJECTS[4]))
+                check(&cpu_scene(&TEST_SCENES[4]))
             }));
             trials.push(on_gpu(format!("{name}/gpu"), |context| {
                 let check: Check<_> = $module::$check;
-                check(&gpu_scene(context, &SUBJECTS[4])?)
+                check(&gpu_scene(context, &TEST_SCENES[4])?)
             }));
         };
     }

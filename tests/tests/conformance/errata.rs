@@ -2,8 +2,8 @@
 //! nothing else.
 
 use crate::ensure;
-use crate::subjects::{ROOM_ORIGIN, SUBJECTS, Subject, box_with, inside};
-use crate::world::{Outcome, Variant, configured, on_both, run};
+use crate::test_scenes::{ROOM_ORIGIN, TEST_SCENES, TestScene, box_with, inside};
+use crate::variants::{Outcome, Variant, configured, on_both, run};
 use glam::Vec3;
 use interreflect_estimators::Quantity;
 use interreflect_estimators::Tolerance;
@@ -17,18 +17,18 @@ use std::f64::consts::PI;
 
 pub(crate) fn trials() -> Vec<Trial> {
     macro_rules! both {
-        ($check:ident, $subject:expr) => {
+        ($check:ident, $test_scene:expr) => {
             on_both(
                 concat!("errata/", stringify!($check)),
-                || $subject,
+                || $test_scene,
                 $check,
                 $check,
             )
         };
     }
     [
-        both!(solid_angle_is_of_published_alone, &SUBJECTS[0]),
-        both!(diffuse_lacks_one_over_pi_in_published, &SUBJECTS[0]),
+        both!(solid_angle_is_of_published_alone, &TEST_SCENES[0]),
+        both!(diffuse_lacks_one_over_pi_in_published, &TEST_SCENES[0]),
         both!(fidelities_meet_at_the_reference_point, &UNIFORM),
         both!(tables_average_the_reflectivity, &UNIFORM),
     ]
@@ -38,7 +38,7 @@ pub(crate) fn trials() -> Vec<Trial> {
 }
 
 /// A room of radiance 1, with points at the reference point.
-static UNIFORM: std::sync::LazyLock<Subject> = std::sync::LazyLock::new(|| {
+static UNIFORM: std::sync::LazyLock<TestScene> = std::sync::LazyLock::new(|| {
     let points = inside(100).into_iter().map(|p| {
         p.map(|p| Point {
             position: ROOM_ORIGIN,
@@ -54,19 +54,22 @@ fn localized(quantity: Quantity, settings: &[(&str, &str)]) -> Result<Variant, F
 
 fn shaded<S: BackendScene>(
     loaded: &S,
-    subject: &Subject,
+    test_scene: &TestScene,
     quantity: Quantity,
     settings: &[(&str, &str)],
 ) -> Result<Estimate, Failed> {
-    let points = subject.points(quantity.layout());
+    let points = test_scene.points(quantity.layout());
     run(loaded, &localized(quantity, settings)?, &points)
 }
 
-fn solid_angle_is_of_published_alone<S: BackendScene>(loaded: &S, subject: &Subject) -> Outcome {
+fn solid_angle_is_of_published_alone<S: BackendScene>(
+    loaded: &S,
+    test_scene: &TestScene,
+) -> Outcome {
     for quantity in [Quantity::Irradiance, Quantity::GlossyRadiance] {
         let shaded = |fidelity, solid_angle| {
             let settings = [("fidelity", fidelity), ("solid_angle", solid_angle)];
-            shaded(loaded, subject, quantity, &settings)
+            shaded(loaded, test_scene, quantity, &settings)
         };
         ensure!(
             shaded("corrected", "text")? == shaded("corrected", "shader")?,
@@ -89,7 +92,7 @@ fn solid_angle_is_of_published_alone<S: BackendScene>(loaded: &S, subject: &Subj
 /// Without a lobe the published radiance is k_d·E, the corrected one k_d/π·E.
 fn diffuse_lacks_one_over_pi_in_published<S: BackendScene>(
     loaded: &S,
-    subject: &Subject,
+    test_scene: &TestScene,
 ) -> Outcome {
     let matte = |p: Point| {
         let mut p = p;
@@ -97,7 +100,7 @@ fn diffuse_lacks_one_over_pi_in_published<S: BackendScene>(
         // In published nothing is seen from behind.
         (p.normal.dot(p.view) > 0.01).then_some(p)
     };
-    let points = subject.points(Quantity::GlossyRadiance.layout());
+    let points = test_scene.points(Quantity::GlossyRadiance.layout());
     let points = Points::new(points.layout(), points.iter().map(|p| p.and_then(matte)));
     for (fidelity, factor) in [("published", 1.0), ("corrected", 1.0 / PI)] {
         let settings = [("fidelity", fidelity)];
@@ -124,9 +127,9 @@ fn diffuse_lacks_one_over_pi_in_published<S: BackendScene>(
 /// At x = o both solid angles are those from o: Δω' in published, the exact Δω in corrected.
 fn fidelities_meet_at_the_reference_point<S: BackendScene>(
     loaded: &S,
-    subject: &Subject,
+    test_scene: &TestScene,
 ) -> Outcome {
-    let points = subject.points(Quantity::Irradiance.layout());
+    let points = test_scene.points(Quantity::Irradiance.layout());
     for m in [1, 2, 4, 8] {
         let resolution = m.to_string();
         for (fidelity, solid_angle) in [
@@ -139,7 +142,7 @@ fn fidelities_meet_at_the_reference_point<S: BackendScene>(
                 ("solid_angle", solid_angle),
                 ("resolution", &resolution),
             ];
-            let estimate = shaded(loaded, subject, Quantity::Irradiance, &settings)?;
+            let estimate = shaded(loaded, test_scene, Quantity::Irradiance, &settings)?;
             let omega = |column, row, l: f64| match (fidelity, solid_angle) {
                 ("corrected", _) => texel_solid_angle_sr(m, column, row),
                 (_, "text") => 4.0 / (f64::from(m * m) * l.powi(3) + 4.0 / PI),
@@ -177,15 +180,15 @@ fn at_origin(m: u32, normal: Vec3, omega: impl Fn(u32, u32, f64) -> f64) -> f64 
 /// At the middle of a room of radiance 1 the irradiance is π, and the sum over texels misses it by
 /// how badly one sample stands for the cosine over a texel: averages from a table miss it by less at
 /// M = 1 and 2: what is left is the difference between a texel and a cap. As M grows the two agree.
-fn tables_average_the_reflectivity<S: BackendScene>(loaded: &S, subject: &Subject) -> Outcome {
-    let points = subject.points(Quantity::Irradiance.layout());
+fn tables_average_the_reflectivity<S: BackendScene>(loaded: &S, test_scene: &TestScene) -> Outcome {
+    let points = test_scene.points(Quantity::Irradiance.layout());
     let errors = |m: &str, reflectivity: &str| -> Result<Vec<f64>, Failed> {
         let settings = [
             ("fidelity", "corrected"),
             ("resolution", m),
             ("reflectivity", reflectivity),
         ];
-        let estimate = shaded(loaded, subject, Quantity::Irradiance, &settings)?;
+        let estimate = shaded(loaded, test_scene, Quantity::Irradiance, &settings)?;
         let shaded = points.iter().zip(estimate.iter());
         let of_pi = shaded.filter_map(|(p, e)| p.map(|_| f64::from(e.y) / PI - 1.0));
         Ok(of_pi.collect())

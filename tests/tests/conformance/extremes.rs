@@ -1,7 +1,7 @@
 //! Where numbers are extreme: finite and inside the claimed bound, or an error that names the input.
 
 use crate::ensure;
-use crate::world::{CPU, Outcome, Variant, ignored, on_gpu, variants};
+use crate::variants::{CPU, Outcome, Variant, ignored, on_gpu, variants};
 use interreflect_conformance::verify::{Extreme, MethodUnderTest, TestBackend, Verdict, extremes};
 use libtest_mimic::Trial;
 

@@ -1,8 +1,8 @@
 //! What form factors of points and polygons must give, and how they must fail.
 
 use crate::ensure;
-use crate::subjects::{ROOM_ORIGIN, ROOM_RADIANCES, SUBJECTS, Subject, box_with, inside};
-use crate::world::{Outcome, configured, on_both, run};
+use crate::test_scenes::{ROOM_ORIGIN, ROOM_RADIANCES, TEST_SCENES, TestScene, box_with, inside};
+use crate::variants::{Outcome, configured, on_both, run};
 use glam::{DVec3, Vec3};
 use interreflect_estimators::Quantity;
 use interreflect_estimators::execution::BackendScene;
@@ -14,10 +14,10 @@ use std::sync::LazyLock;
 
 pub(crate) fn trials() -> Vec<Trial> {
     macro_rules! both {
-        ($check:ident, $subject:expr) => {
+        ($check:ident, $test_scene:expr) => {
             on_both(
                 concat!("form_factors/", stringify!($check)),
-                || $subject,
+                || $test_scene,
                 $check,
                 $check,
             )
@@ -29,7 +29,7 @@ pub(crate) fn trials() -> Vec<Trial> {
         both!(point_lights_spike_along_a_wall, &ROOM),
         both!(polygons_do_not_spike_along_a_wall, &ROOM),
         both!(switches_of_polygons_change_what_they_should, &DIVIDED),
-        both!(polygons_at_infinity_are_classic_mapping, &SUBJECTS[4]),
+        both!(polygons_at_infinity_are_classic_mapping, &TEST_SCENES[4]),
     ]
     .into_iter()
     .flatten()
@@ -37,14 +37,14 @@ pub(crate) fn trials() -> Vec<Trial> {
 }
 
 /// The box with walls of radiance 1 and with its own radiances, with points all over it.
-static UNIFORM: LazyLock<Subject> = LazyLock::new(|| box_with([1.0; 6], inside(300)));
-static ROOM: LazyLock<Subject> = LazyLock::new(|| box_with(ROOM_RADIANCES, inside(300)));
+static UNIFORM: LazyLock<TestScene> = LazyLock::new(|| box_with([1.0; 6], inside(300)));
+static ROOM: LazyLock<TestScene> = LazyLock::new(|| box_with(ROOM_RADIANCES, inside(300)));
 
 /// A room with a divider, points on both sides of it: from the far side, what is seen from the
 /// reference point faces away.
-static DIVIDED: LazyLock<Subject> = LazyLock::new(|| {
+static DIVIDED: LazyLock<TestScene> = LazyLock::new(|| {
     let scene = open(&SceneRequest::new("divided-room")).expect("a library scene");
-    Subject::new("divided-room", &scene, inside(300))
+    TestScene::new("divided-room", &scene, inside(300))
 });
 
 fn irradiance<S: BackendScene>(
@@ -68,8 +68,8 @@ fn values(points: &Points, estimate: &Estimate) -> Vec<f64> {
 /// Inside a closed mesh of radiance 1 the irradiance is π. What is left of it is where a texel's
 /// quadrilateral cuts off an edge of the box: half a percent at M = 8, and 2 % where mean distances
 /// round the edges off.
-fn polygons_close_a_furnace<S: BackendScene>(loaded: &S, subject: &Subject) -> Outcome {
-    let points = subject.points(PointLayout::Surface);
+fn polygons_close_a_furnace<S: BackendScene>(loaded: &S, test_scene: &TestScene) -> Outcome {
+    let points = test_scene.points(PointLayout::Surface);
     for (corners, facing) in [
         ("exact", "clamped"),
         ("exact", "signed"),
@@ -94,8 +94,11 @@ fn polygons_close_a_furnace<S: BackendScene>(loaded: &S, subject: &Subject) -> O
 }
 
 /// The reused angle and the missing clip: some points get a tenth more or less than π.
-fn published_polygons_do_not_close_it<S: BackendScene>(loaded: &S, subject: &Subject) -> Outcome {
-    let points = subject.points(PointLayout::Surface);
+fn published_polygons_do_not_close_it<S: BackendScene>(
+    loaded: &S,
+    test_scene: &TestScene,
+) -> Outcome {
+    let points = test_scene.points(PointLayout::Surface);
     let settings = [("fidelity", "published"), ("resolution", "8")];
     let estimate = irradiance(loaded, "polygon_form_factor", &settings, &points)?;
     let worst = values(&points, &estimate)
@@ -142,7 +145,7 @@ fn peak(points: &Points, estimate: &Estimate) -> (f64, f64) {
 /// Near a texel's centre a point light is singular: there it exceeds the mean of the scan by two
 /// orders of magnitude or more. `clamp` bounds it: each of 96 texels counts so much solid angle at
 /// most, and the walls' radiance is 1 at most.
-fn point_lights_spike_along_a_wall<S: BackendScene>(loaded: &S, _: &Subject) -> Outcome {
+fn point_lights_spike_along_a_wall<S: BackendScene>(loaded: &S, _: &TestScene) -> Outcome {
     let points = scan();
     let estimate = irradiance(loaded, "point_form_factor", &[], &points)?;
     let (free, mean) = peak(&points, &estimate);
@@ -165,7 +168,7 @@ fn point_lights_spike_along_a_wall<S: BackendScene>(loaded: &S, _: &Subject) -> 
 }
 
 /// The same scan with polygons: nowhere more than what the brightest wall could give.
-fn polygons_do_not_spike_along_a_wall<S: BackendScene>(loaded: &S, _: &Subject) -> Outcome {
+fn polygons_do_not_spike_along_a_wall<S: BackendScene>(loaded: &S, _: &TestScene) -> Outcome {
     let points = scan();
     let settings = [("fidelity", "corrected")];
     let estimate = irradiance(loaded, "polygon_form_factor", &settings, &points)?;
@@ -179,9 +182,9 @@ fn polygons_do_not_spike_along_a_wall<S: BackendScene>(loaded: &S, _: &Subject) 
 /// Each switch of `polygon_form_factor` changes the fidelity that it belongs to.
 fn switches_of_polygons_change_what_they_should<S: BackendScene>(
     loaded: &S,
-    subject: &Subject,
+    test_scene: &TestScene,
 ) -> Outcome {
-    let points = subject.points(PointLayout::Surface);
+    let points = test_scene.points(PointLayout::Surface);
     let with =
         |settings: &[(&str, &str)]| irradiance(loaded, "polygon_form_factor", settings, &points);
     let published = with(&[])?;
@@ -225,9 +228,9 @@ fn switches_of_polygons_change_what_they_should<S: BackendScene>(
 /// the horizon cuts it (1/16 rad · 2/3 · 1/16 ≈ 3e-3), and a bilinear lookup between 32 cells, 1e-3.
 fn polygons_at_infinity_are_classic_mapping<S: BackendScene>(
     loaded: &S,
-    subject: &Subject,
+    test_scene: &TestScene,
 ) -> Outcome {
-    let points = subject.points(PointLayout::Surface);
+    let points = test_scene.points(PointLayout::Surface);
     let settings = [("fidelity", "corrected"), ("resolution", "16")];
     let polygons = irradiance(loaded, "polygon_form_factor", &settings, &points)?;
     let classic = irradiance(loaded, "classic_envmap", &[], &points)?;

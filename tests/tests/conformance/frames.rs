@@ -1,8 +1,8 @@
 //! A session that lives on over the frames of a moving scene gives what a fresh one gives.
 
 use crate::ensure;
-use crate::subjects::{SUBJECTS, Subject, same_bits};
-use crate::world::{Outcome, configured, cpu_scene, gpu_scene, on_gpu, run};
+use crate::test_scenes::{TEST_SCENES, TestScene, same_bits};
+use crate::variants::{Outcome, configured, cpu_scene, gpu_scene, on_gpu, run};
 use glam::Vec3;
 use interreflect::frames::{Frame, Frames};
 use interreflect_cpu::scene::CpuScene;
@@ -13,7 +13,7 @@ use interreflect_scene::{Motion, Point, Points, Scene};
 use libtest_mimic::{Failed, Trial};
 use std::sync::Arc;
 
-/// What moves, in which subject, and how it is set in motion.
+/// What moves, in which test scene, and how it is set in motion.
 type Moving = (&'static str, usize, fn(&mut Scene));
 
 const MOVING: [Moving; 4] = [
@@ -52,10 +52,10 @@ pub(crate) fn trials() -> Vec<Trial> {
     let of = |moving: Moving| {
         let name = format!("frames/{}", moving.0);
         let on_cpu = Trial::test(format!("{name}/cpu"), move || {
-            follows(moving, |subject| Ok(cpu_scene(subject)))
+            follows(moving, |test_scene| Ok(cpu_scene(test_scene)))
         });
         let on_device = on_gpu(format!("{name}/gpu"), move |context| {
-            follows(moving, |subject| gpu_scene(context, subject))
+            follows(moving, |test_scene| gpu_scene(context, test_scene))
         });
         [on_cpu, on_device]
     };
@@ -64,16 +64,16 @@ pub(crate) fn trials() -> Vec<Trial> {
 
 /// Each frame, the one in which time stands still too, is what a session of its own gives.
 fn follows<S: BackendScene>(
-    (what, subject, set_in_motion): Moving,
-    loaded: impl Fn(&Subject) -> Result<S, Failed>,
+    (what, test_scene, set_in_motion): Moving,
+    loaded: impl Fn(&TestScene) -> Result<S, Failed>,
 ) -> Outcome {
-    let subject = &SUBJECTS[subject];
-    let mut scene = subject.cpu.scene().clone();
+    let test_scene = &TEST_SCENES[test_scene];
+    let mut scene = test_scene.cpu.scene().clone();
     set_in_motion(&mut scene);
     let settings = [("fidelity", "corrected"), ("capture_resolution", "32")];
     let variant = configured("localized_cubemap", Quantity::Irradiance, &settings)?;
     let (method, quantity) = (&*variant.method, variant.quantity);
-    let points = subject.points(quantity.layout());
+    let points = test_scene.points(quantity.layout());
     let mut reversed: Vec<Option<Point>> = points.iter().collect();
     reversed.reverse();
     let reversed = Points::new(points.layout(), reversed);
@@ -81,7 +81,7 @@ fn follows<S: BackendScene>(
     let mut shown = Vec::new();
     for time_s in [0.0, 0.5, 0.5, 1.0] {
         let scene_then = scene.at(time_s);
-        let then = subject.with_scene(Arc::new(CpuScene::new(&scene_then)?));
+        let then = test_scene.with_scene(Arc::new(CpuScene::new(&scene_then)?));
         let points = match what == "camera" && time_s > 0.0 {
             true => &reversed,
             false => &points,

@@ -2,7 +2,7 @@
 //! in float64 the same for one table of inputs as the WGSL function of its name.
 
 use crate::ensure;
-use crate::world::{Outcome, on_gpu};
+use crate::variants::{Outcome, on_gpu};
 use interreflect_conformance::verify::parity::{leaf_on_device, leaf_on_host};
 use interreflect_estimators::Registry;
 use interreflect_estimators::leaves::{self, Leaves};

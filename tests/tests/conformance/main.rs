@@ -25,10 +25,10 @@ mod room_points;
 mod room_ties;
 mod rules;
 mod shaders;
-mod subjects;
+mod test_scenes;
+mod variants;
 mod verify;
 mod visibility;
-mod world;
 
 use libtest_mimic::{Arguments, Trial};
 

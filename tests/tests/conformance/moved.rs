@@ -1,8 +1,8 @@
 //! Captures that are kept while receivers move, or shared by several of them.
 
 use crate::ensure;
-use crate::subjects::{SUBJECTS, Subject, same_bits};
-use crate::world::{
+use crate::test_scenes::{TEST_SCENES, TestScene, same_bits};
+use crate::variants::{
     Outcome, Variant, captures, cpu_scene, estimate, gpu_scene, ignored, on_gpu, run, variants,
 };
 use glam::Vec3;
@@ -23,21 +23,21 @@ pub(crate) fn trials() -> Vec<Trial> {
     for variant in variants(32) {
         let name = format!("moved/{}", variant.name());
         let one = variant.copy();
-        if let Some(why) = one.unsupported(&SUBJECTS[0]) {
+        if let Some(why) = one.unsupported(&TEST_SCENES[0]) {
             trials.push(ignored(name, &why));
             continue;
         }
         trials.push(Trial::test(format!("{name}/cpu"), move || {
-            let subject = &SUBJECTS[0];
-            points_move(&cpu_scene(subject), subject, &one)?;
+            let test_scene = &TEST_SCENES[0];
+            points_move(&cpu_scene(test_scene), test_scene, &one)?;
             captures_change(&one, |s| Ok(cpu_scene(s)))?;
             kept_or_not(&one, |s| Ok(cpu_scene(s)))?;
             shared(&one, |s| Ok(cpu_scene(s)))
         }));
-        if variant.unsupported_on_gpu(&SUBJECTS[0]).is_none() {
+        if variant.unsupported_on_gpu(&TEST_SCENES[0]).is_none() {
             trials.push(on_gpu(format!("{name}/gpu"), move |context| {
-                let subject = &SUBJECTS[0];
-                points_move(&gpu_scene(context, subject)?, subject, &variant)?;
+                let test_scene = &TEST_SCENES[0];
+                points_move(&gpu_scene(context, test_scene)?, test_scene, &variant)?;
                 captures_change(&variant, |s| gpu_scene(context, s))?;
                 kept_or_not(&variant, |s| gpu_scene(context, s))?;
                 shared(&variant, |s| gpu_scene(context, s))
@@ -47,16 +47,16 @@ pub(crate) fn trials() -> Vec<Trial> {
     trials
 }
 
-/// The subject with another scene, at the same points.
-fn changed(subject: &Subject, change: impl FnOnce(&mut Scene)) -> Result<Subject, Failed> {
-    let mut scene = subject.cpu.scene().clone();
+/// The test scene with another scene, at the same points.
+fn changed(test_scene: &TestScene, change: impl FnOnce(&mut Scene)) -> Result<TestScene, Failed> {
+    let mut scene = test_scene.cpu.scene().clone();
     change(&mut scene);
-    Ok(subject.with_scene(Arc::new(CpuScene::new(&scene)?)))
+    Ok(test_scene.with_scene(Arc::new(CpuScene::new(&scene)?)))
 }
 
 /// A session prepared once, whose points then move, gives what a fresh one gives.
-fn points_move<S: BackendScene>(loaded: &S, subject: &Subject, variant: &Variant) -> Outcome {
-    let before = subject.points(variant.quantity.layout());
+fn points_move<S: BackendScene>(loaded: &S, test_scene: &TestScene, variant: &Variant) -> Outcome {
+    let before = test_scene.points(variant.quantity.layout());
     let after = before.iter().skip(3).map(|point| {
         point.map(|mut p| {
             p.position += Vec3::new(0.1, 0.05, -0.1);
@@ -81,12 +81,12 @@ fn points_move<S: BackendScene>(loaded: &S, subject: &Subject, variant: &Variant
 /// gives.
 fn captures_change<S: BackendScene>(
     variant: &Variant,
-    loaded: impl Fn(&Subject) -> Result<S, Failed>,
+    loaded: impl Fn(&TestScene) -> Result<S, Failed>,
 ) -> Outcome {
     // In the closed room nothing is open, whatever stands in it.
-    let after: &Subject = match variant.quantity {
-        Quantity::AmbientOcclusion => &SUBJECTS[2],
-        _ => &SUBJECTS[0],
+    let after: &TestScene = match variant.quantity {
+        Quantity::AmbientOcclusion => &TEST_SCENES[2],
+        _ => &TEST_SCENES[0],
     };
     let before = changed(after, |scene| {
         scene.objects.retain(|o| o.role == Role::Environment);
@@ -114,17 +114,17 @@ fn captures_change<S: BackendScene>(
 /// are. Methods that keep nothing always have fresh ones.
 fn kept_or_not<S: BackendScene>(
     variant: &Variant,
-    loaded: impl Fn(&Subject) -> Result<S, Failed>,
+    loaded: impl Fn(&TestScene) -> Result<S, Failed>,
 ) -> Outcome {
-    let subject = &SUBJECTS[0];
-    let here = subject.cpu.scene().reference_point;
+    let test_scene = &TEST_SCENES[0];
+    let here = test_scene.cpu.scene().reference_point;
     let home = here - Vec3::X * MOVED_M;
-    let moved = changed(subject, |scene| scene.captured_at = Some(home))?;
-    let at_home = changed(subject, |scene| {
+    let moved = changed(test_scene, |scene| scene.captured_at = Some(home))?;
+    let at_home = changed(test_scene, |scene| {
         scene.reference_point = home;
         scene.captured_at = None;
     })?;
-    let points = subject.points(variant.quantity.layout());
+    let points = test_scene.points(variant.quantity.layout());
     let (mut near, mut far) = (variant.copy(), variant.copy());
     let keeps = (near.method.set("recapture_distance", "0.21")).is_ok();
     far.method.set("recapture_distance", "0.19").ok();
@@ -139,7 +139,7 @@ fn kept_or_not<S: BackendScene>(
             timed != (kept || needs.no_captures()),
             "kept: {kept}, and a capture is timed: {timed}"
         );
-        let like = if kept { &at_home } else { subject };
+        let like = if kept { &at_home } else { test_scene };
         let expected = run(&loaded(like)?, variant, &points)?;
         same_bits(&expected, measured.estimate.iter()).map_err(|e| format!("kept {kept}: {e}"))?;
     }
@@ -149,13 +149,13 @@ fn kept_or_not<S: BackendScene>(
 /// Three receivers share the captures: each point has what it has with one receiver.
 fn shared<S: BackendScene>(
     variant: &Variant,
-    loaded: impl Fn(&Subject) -> Result<S, Failed>,
+    loaded: impl Fn(&TestScene) -> Result<S, Failed>,
 ) -> Outcome {
-    let three = Subject::library(
+    let three = TestScene::library(
         "colored-room",
         &[("receivers", "3"), ("receiver.size", "0.4")],
     );
-    let one = three.with_scene(SUBJECTS[0].cpu.clone());
+    let one = three.with_scene(TEST_SCENES[0].cpu.clone());
     let points = three.points(variant.quantity.layout());
     let xs = || points.iter().flatten().map(|p| p.position.x);
     ensure!(

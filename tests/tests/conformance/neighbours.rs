@@ -3,8 +3,8 @@
 //! list; a point that takes its neighbour's shows here, on either backend.
 
 use crate::ensure;
-use crate::subjects::{SUBJECTS, Subject};
-use crate::world::{
+use crate::test_scenes::{TEST_SCENES, TestScene};
+use crate::variants::{
     Outcome, Variant, configured, cpu_scene, gpu_scene, ignored, on_gpu, run, variants,
 };
 use interreflect_estimators::Quantity;
@@ -34,22 +34,22 @@ pub(crate) fn trials() -> Vec<Trial> {
     let mut trials = Vec::new();
     for (variant, suffix) in all {
         let name = format!("neighbours/{}{suffix}", variant.name());
-        let subject: &Subject = match variant.unsupported(&SUBJECTS[0]) {
-            None => &SUBJECTS[0],
-            Some(_) => &SUBJECTS[2],
+        let test_scene: &TestScene = match variant.unsupported(&TEST_SCENES[0]) {
+            None => &TEST_SCENES[0],
+            Some(_) => &TEST_SCENES[2],
         };
-        if let Some(why) = variant.unsupported(subject) {
+        if let Some(why) = variant.unsupported(test_scene) {
             trials.push(ignored(name, &why));
             continue;
         }
         let variant = Arc::new(variant);
         let one = variant.clone();
         trials.push(Trial::test(format!("{name}/cpu"), move || {
-            alone(&cpu_scene(subject), subject, &one)
+            alone(&cpu_scene(test_scene), test_scene, &one)
         }));
-        if variant.runs_in(subject) {
+        if variant.runs_in(test_scene) {
             trials.push(on_gpu(format!("{name}/gpu"), move |context| {
-                alone(&gpu_scene(context, subject)?, subject, &variant)
+                alone(&gpu_scene(context, test_scene)?, test_scene, &variant)
             }));
         }
     }
@@ -57,8 +57,8 @@ pub(crate) fn trials() -> Vec<Trial> {
 }
 
 /// Points of three exponents together, then those of each one alone, in their places in the list.
-fn alone<S: BackendScene>(loaded: &S, subject: &Subject, variant: &Variant) -> Outcome {
-    let original = subject.points(variant.quantity.layout());
+fn alone<S: BackendScene>(loaded: &S, test_scene: &TestScene, variant: &Variant) -> Outcome {
+    let original = test_scene.points(variant.quantity.layout());
     let with = |kept: Option<usize>| {
         let points = original.iter().enumerate().map(|(i, point)| {
             let of = i % EXPONENTS.len();

@@ -1,8 +1,8 @@
 //! Openness against its closed forms, and what published biases and weights do to it.
 
 use crate::ensure;
-use crate::subjects::{Subject, room};
-use crate::world::{Outcome, configured, cpu_scene, gpu_scene, on_both, on_gpu, run};
+use crate::test_scenes::{TestScene, room};
+use crate::variants::{Outcome, configured, cpu_scene, gpu_scene, on_both, on_gpu, run};
 use glam::{Quat, Vec3};
 use interreflect_conformance::oracles::form_factors as exact;
 use interreflect_estimators::Quantity;
@@ -32,7 +32,7 @@ pub(crate) fn trials() -> Vec<Trial> {
 }
 
 /// A scene of these meshes, with points.
-fn scene_of(meshes: Vec<Mesh>, points: Vec<Point>) -> Subject {
+fn scene_of(meshes: Vec<Mesh>, points: Vec<Point>) -> TestScene {
     let mut scene = room([0.0; 6], Vec3::ZERO);
     let object = |mesh| Object {
         name: "occluder".into(),
@@ -41,7 +41,7 @@ fn scene_of(meshes: Vec<Mesh>, points: Vec<Point>) -> Subject {
         motion: None,
     };
     scene.objects = meshes.into_iter().map(object).collect();
-    Subject::new("openness", &scene, points.into_iter().map(Some).collect())
+    TestScene::new("openness", &scene, points.into_iter().map(Some).collect())
 }
 
 fn point(position: Vec3, normal: Vec3) -> Point {
@@ -62,13 +62,13 @@ fn orientations(count: usize) -> impl Iterator<Item = Vec3> {
 }
 
 /// Nothing but points, in 2,000 orientations.
-static OPEN: LazyLock<Subject> = LazyLock::new(|| {
+static OPEN: LazyLock<TestScene> = LazyLock::new(|| {
     let all = orientations(2000).map(|n| point(Vec3::ZERO, n));
     scene_of(Vec::new(), all.collect())
 });
 
 /// Points on a tilted square, clear of its border.
-static PLANE: LazyLock<Subject> = LazyLock::new(|| {
+static PLANE: LazyLock<TestScene> = LazyLock::new(|| {
     let turn = Quat::from_axis_angle(Vec3::new(0.48, 0.6, 0.64), 0.7);
     let mut mesh = shapes::quad(2.0, 2.0);
     mesh.positions.iter_mut().for_each(|p| *p = turn * *p);
@@ -82,11 +82,11 @@ static PLANE: LazyLock<Subject> = LazyLock::new(|| {
 
 fn openness<S: BackendScene>(
     loaded: &S,
-    subject: &Subject,
+    test_scene: &TestScene,
     settings: &[(&str, &str)],
 ) -> Result<Vec<f64>, Failed> {
     let variant = configured("directional_ao", Quantity::AmbientOcclusion, settings)?;
-    let points: Points = subject.points(PointLayout::Surface);
+    let points: Points = test_scene.points(PointLayout::Surface);
     let estimate = run(loaded, &variant, &points)?;
     Ok(estimate.iter().map(|v| f64::from(v.x)).collect())
 }
@@ -102,7 +102,7 @@ fn rms_and_max(errors: impl Iterator<Item = f64> + Clone) -> (f64, f64) {
 /// Where nothing occludes, openness is 1 up to how well the directions integrate a cosine: at every
 /// level the rms and largest errors in percent that float64 gives, and a sixth of them in spread
 /// between one set of orientations and another. Only the corrected weights converge.
-fn open_points<S: BackendScene>(loaded: &S, subject: &Subject) -> Outcome {
+fn open_points<S: BackendScene>(loaded: &S, test_scene: &TestScene) -> Outcome {
     let expected = [
         ("published", "2", 1.0, 5.1),
         ("published", "3", 0.76, 2.5),
@@ -113,7 +113,7 @@ fn open_points<S: BackendScene>(loaded: &S, subject: &Subject) -> Outcome {
     ];
     for (fidelity, level, rms_expected, max_expected) in expected {
         let settings = [("fidelity", fidelity), ("level", level)];
-        let values = openness(loaded, subject, &settings)?;
+        let values = openness(loaded, test_scene, &settings)?;
         let (rms, max) = rms_and_max(values.iter().map(|v| 100.0 * (v - 1.0)));
         ensure!(
             (rms / rms_expected - 1.0).abs() < 0.17 && (max / max_expected - 1.0).abs() < 0.17,
@@ -133,10 +133,10 @@ fn open_points<S: BackendScene>(loaded: &S, subject: &Subject) -> Outcome {
 /// On an open plane, relative to what the same directions give where there is none: open with the
 /// slope-scaled bias, nearly so with a texel's width, half without. The last two are shares of
 /// texels whose middle lies behind the point: they vary with the plane's orientation.
-fn biases<S: BackendScene>(loaded: &S, subject: &Subject) -> Outcome {
+fn biases<S: BackendScene>(loaded: &S, test_scene: &TestScene) -> Outcome {
     let mean = |bias| -> Result<f64, Failed> {
-        let values = openness(loaded, subject, &[("bias", bias)])?;
-        let open = open_of(loaded, subject)?;
+        let values = openness(loaded, test_scene, &[("bias", bias)])?;
+        let open = open_of(loaded, test_scene)?;
         Ok(values.iter().zip(&open).map(|(v, o)| v / o).sum::<f64>() / values.len() as f64)
     };
     let [offset, constant, none] = [mean("polygon_offset")?, mean("constant")?, mean("none")?];
@@ -146,10 +146,10 @@ fn biases<S: BackendScene>(loaded: &S, subject: &Subject) -> Outcome {
     Ok(())
 }
 
-/// What the points of a subject would have without its surfaces.
-fn open_of<S: BackendScene>(loaded: &S, subject: &Subject) -> Result<Vec<f64>, Failed> {
+/// What the points of a test scene would have without its surfaces.
+fn open_of<S: BackendScene>(loaded: &S, test_scene: &TestScene) -> Result<Vec<f64>, Failed> {
     let variant = configured("directional_ao", Quantity::AmbientOcclusion, &[])?;
-    let points = subject.points(PointLayout::Surface);
+    let points = test_scene.points(PointLayout::Surface);
     // Lifted above everything.
     let lifted = points.iter().map(|p| {
         p.map(|mut p| {
@@ -167,7 +167,7 @@ fn open_of<S: BackendScene>(loaded: &S, subject: &Subject) -> Result<Vec<f64>, F
 /// Cause of the bound: the border between open and occluded cuts about ½√(πk) of the k cells, each of
 /// which counts 4/k at most and is wrong like a number cut evenly, 1/√12 of it; twice that because the
 /// border lies alike in neighbouring cells. What the depth maps' texels shift, one of 512, is far less.
-fn closed_forms<S: BackendScene>(loaded: impl Fn(&Subject) -> Result<S, Failed>) -> Outcome {
+fn closed_forms<S: BackendScene>(loaded: impl Fn(&TestScene) -> Result<S, Failed>) -> Outcome {
     let k = f64::from(DIRECTIONS[3]);
     let bound = 2.0 * (4.0 / k) * (0.5 * (std::f64::consts::PI * k).sqrt()).sqrt() / 12f64.sqrt();
     for (name, occluders, point, expected) in configurations() {
@@ -185,9 +185,9 @@ fn closed_forms<S: BackendScene>(loaded: impl Fn(&Subject) -> Result<S, Failed>)
                 normal: turn * point.normal,
                 ..point
             };
-            let subject = scene_of(occluders.iter().map(turned).collect(), vec![at]);
+            let test_scene = scene_of(occluders.iter().map(turned).collect(), vec![at]);
             let settings = [("fidelity", "corrected"), ("level", "3")];
-            let found = openness(&loaded(&subject)?, &subject, &settings)?;
+            let found = openness(&loaded(&test_scene)?, &test_scene, &settings)?;
             errors.push(found[0] - expected);
         }
         let (rms, max) = rms_and_max(errors.iter().copied());

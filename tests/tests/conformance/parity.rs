@@ -2,8 +2,8 @@
 
 use crate::ensure;
 use crate::parity_views::views_apart;
-use crate::subjects::{SUBJECTS, Subject};
-use crate::world::{
+use crate::test_scenes::{TEST_SCENES, TestScene};
+use crate::variants::{
     Outcome, Variant, bounced, captures, cpu_scene, estimate, gpu_scene, ignored, on_gpu, switched,
     variants,
 };
@@ -21,54 +21,54 @@ use std::sync::{Arc, LazyLock};
 pub(crate) fn trials() -> Vec<Trial> {
     let mut trials = Vec::new();
     for variant in variants(128) {
-        for subject in &SUBJECTS {
-            let name = format!("parity/{}/{}", subject.name, variant.name());
-            if let Some(why) = on_either(&variant, subject) {
+        for test_scene in &TEST_SCENES {
+            let name = format!("parity/{}/{}", test_scene.name, variant.name());
+            if let Some(why) = on_either(&variant, test_scene) {
                 trials.push(ignored(name, &why));
                 continue;
             }
             let variant = variant.copy();
             trials.push(on_gpu(name, move |context| {
-                parity(context, subject, &variant)
+                parity(context, test_scene, &variant)
             }));
         }
     }
     for variant in bounced(128) {
-        for subject in &SUBJECTS[..3] {
-            let name = format!("parity/{}/{}.bounces", subject.name, variant.name());
-            if on_either(&variant, subject).is_none() {
+        for test_scene in &TEST_SCENES[..3] {
+            let name = format!("parity/{}/{}.bounces", test_scene.name, variant.name());
+            if on_either(&variant, test_scene).is_none() {
                 let variant = variant.copy();
                 trials.push(on_gpu(name, move |context| {
-                    parity(context, subject, &variant)
+                    parity(context, test_scene, &variant)
                 }));
             }
         }
     }
     for (variant, setting) in switched(128) {
-        // The first subject that it can run in.
-        let why_not = |s: &&LazyLock<Subject>| on_either(&variant, s).is_some();
-        let subject = SUBJECTS
+        // The first test scene that it can run in.
+        let why_not = |s: &&LazyLock<TestScene>| on_either(&variant, s).is_some();
+        let test_scene = TEST_SCENES
             .iter()
             .find(|s| !why_not(s))
-            .unwrap_or(&SUBJECTS[0]);
-        let name = format!("parity/{}/{}/{setting}", subject.name, variant.name());
-        trials.push(match on_either(&variant, subject) {
+            .unwrap_or(&TEST_SCENES[0]);
+        let name = format!("parity/{}/{}/{setting}", test_scene.name, variant.name());
+        trials.push(match on_either(&variant, test_scene) {
             Some(why) => ignored(name, &why),
-            None => on_gpu(name, move |context| parity(context, subject, &variant)),
+            None => on_gpu(name, move |context| parity(context, test_scene, &variant)),
         });
     }
     trials
 }
 
 /// Why a method can't be compared between the backends in a scene, if it can't.
-fn on_either(variant: &Variant, subject: &Subject) -> Option<String> {
-    let on_cpu = variant.unsupported(subject);
-    on_cpu.or_else(|| variant.unsupported_on_gpu(subject))
+fn on_either(variant: &Variant, test_scene: &TestScene) -> Option<String> {
+    let on_cpu = variant.unsupported(test_scene);
+    on_cpu.or_else(|| variant.unsupported_on_gpu(test_scene))
 }
 
-fn parity(context: &Arc<GpuContext>, subject: &'static Subject, variant: &Variant) -> Outcome {
-    let (cpu, gpu) = (cpu_scene(subject), gpu_scene(context, subject)?);
-    let points = subject.points(variant.quantity.layout());
+fn parity(context: &Arc<GpuContext>, test_scene: &'static TestScene, variant: &Variant) -> Outcome {
+    let (cpu, gpu) = (cpu_scene(test_scene), gpu_scene(context, test_scene)?);
+    let points = test_scene.points(variant.quantity.layout());
     let by_cpu = captures(&cpu, variant)?;
     let by_gpu = captures(&gpu, variant)?;
     let mut on_device = uploaded(context, &by_cpu)?;
@@ -166,8 +166,8 @@ pub(crate) fn captures_apart(a: &Captures<Cpu>, b: &Captures<Cpu>) -> Result<f64
         );
         bound += NEARER * flux;
     }
-    for (spec, a) in &a.light_views {
-        let b = b.light_views.get(spec);
+    for (spec, a) in &a.rsms {
+        let b = b.rsms.get(spec);
         bound += views_apart(a, b.ok_or("a capture of one backend only")?)?;
     }
     Ok(bound)

@@ -2,7 +2,7 @@
 
 use crate::ensure;
 use glam::Vec3;
-use interreflect_scene::LightViewImage;
+use interreflect_scene::RsmImage;
 use libtest_mimic::Failed;
 use std::f64::consts::PI;
 
@@ -17,7 +17,7 @@ const NEARER: f64 = 10.0;
 /// Bound on what the views' differences do to an irradiance: each texel's light that is new, gone or
 /// from elsewhere, as if it arrived head-on under π sr, the most that any photon counts. Where only
 /// a part of the texels is sampled this bounds it the more.
-pub(crate) fn views_apart(a: &LightViewImage, b: &LightViewImage) -> Result<f64, Failed> {
+pub(crate) fn views_apart(a: &RsmImage, b: &RsmImage) -> Result<f64, Failed> {
     let brightest = (0..a.texels())
         .map(|i| radiance(a, i).max_element())
         .fold(0.0, f32::max);
@@ -39,7 +39,7 @@ pub(crate) fn views_apart(a: &LightViewImage, b: &LightViewImage) -> Result<f64,
 }
 
 /// What a texel reflects: radiance, or the most that it may reflect in any direction.
-fn radiance(views: &LightViewImage, index: usize) -> Vec3 {
+fn radiance(views: &RsmImage, index: usize) -> Vec3 {
     match (views.radiance.get(index), views.true_colors.get(index)) {
         (Some(radiance), _) => *radiance,
         (None, Some(c)) => c.irradiance * (c.diffuse + c.specular * (1.0 + c.shininess)),
@@ -49,7 +49,7 @@ fn radiance(views: &LightViewImage, index: usize) -> Vec3 {
 
 /// How far a texel's surface is from the other view's, relative to the light's way, or how much it
 /// is turned; at most 1, and 1 where only one has a photon.
-fn moved(a: &LightViewImage, b: &LightViewImage, index: usize) -> f32 {
+fn moved(a: &RsmImage, b: &RsmImage, index: usize) -> f32 {
     let (way, other) = (a.path_m[index], b.path_m[index]);
     if (way > 0.0) != (other > 0.0) {
         return 1.0;

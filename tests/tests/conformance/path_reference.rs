@@ -9,7 +9,7 @@ mod selections;
 mod skies;
 
 use crate::ensure;
-use crate::world::{CPU, Outcome};
+use crate::variants::{CPU, Outcome};
 use interreflect_conformance::statistics::{Disagreement, Scores};
 use interreflect_cpu::path_tracer::{PathQuantity, Stop, Traced, trace};
 use interreflect_cpu::scene::CpuScene;

@@ -5,8 +5,8 @@ mod model;
 mod point_set;
 
 use crate::ensure;
-use crate::subjects::{Subject, inside, room};
-use crate::world::{Outcome, configured, cpu_scene, gpu_scene, on_both, on_gpu, run};
+use crate::test_scenes::{TestScene, inside, room};
+use crate::variants::{Outcome, configured, cpu_scene, gpu_scene, on_both, on_gpu, run};
 use glam::Vec3;
 use interreflect_estimators::Quantity;
 use interreflect_estimators::Tolerance;
@@ -17,10 +17,10 @@ use std::sync::LazyLock;
 
 pub(crate) fn trials() -> Vec<Trial> {
     macro_rules! both {
-        ($check:ident, $subject:expr) => {
+        ($check:ident, $test_scene:expr) => {
             on_both(
                 concat!("radiance_maps/", stringify!($check)),
-                || $subject,
+                || $test_scene,
                 $check,
                 $check,
             )
@@ -35,11 +35,11 @@ pub(crate) fn trials() -> Vec<Trial> {
     .flatten()
     .collect();
     trials.push(Trial::test("radiance_maps/lights_add_up/cpu", || {
-        lights_add_up(|subject| Ok(cpu_scene(subject)))
+        lights_add_up(|test_scene| Ok(cpu_scene(test_scene)))
     }));
     trials.push(on_gpu(
         "radiance_maps/lights_add_up/gpu".into(),
-        |context| lights_add_up(|subject| gpu_scene(context, subject)),
+        |context| lights_add_up(|test_scene| gpu_scene(context, test_scene)),
     ));
     trials.push(on_gpu(
         "radiance_maps/long_sums_come_in_parts/gpu".into(),
@@ -52,7 +52,7 @@ pub(crate) fn trials() -> Vec<Trial> {
 }
 
 /// The box with diffuse walls, open above, and these lights.
-fn lit_box(lights: &[Light], points: Vec<Option<Point>>) -> Subject {
+fn lit_box(lights: &[Light], points: Vec<Option<Point>>) -> TestScene {
     let mut scene: Scene = room([0.0; 6], Vec3::ZERO);
     let albedo = |face: usize| Vec3::new(0.3 + 0.1 * face as f32, 0.6, 0.8 - 0.1 * face as f32);
     scene.materials = (0..6).map(|face| Material::diffuse(albedo(face))).collect();
@@ -61,7 +61,7 @@ fn lit_box(lights: &[Light], points: Vec<Option<Point>>) -> Subject {
     mesh.triangles.drain(4..6);
     mesh.materials.drain(4..6);
     scene.lights = lights.to_vec();
-    Subject::new("lit-box", &scene, points)
+    TestScene::new("lit-box", &scene, points)
 }
 
 /// One light of each kind in the box; parallel light falls in from above.
@@ -103,7 +103,7 @@ const OFF_EDGES: [Light; 2] = [
 ];
 
 /// The box with each light alone, with all of them, and with two off its edges.
-static LIT: [LazyLock<Subject>; 6] = [
+static LIT: [LazyLock<TestScene>; 6] = [
     LazyLock::new(|| lit_box(&LIGHTS[..1], inside(100))),
     LazyLock::new(|| lit_box(&LIGHTS[1..2], inside(100))),
     LazyLock::new(|| lit_box(&LIGHTS[2..3], inside(100))),
@@ -113,7 +113,7 @@ static LIT: [LazyLock<Subject>; 6] = [
 ];
 
 /// Below the floor, on which alone the light falls, a point that looks up at its dark side.
-static BELOW: LazyLock<Subject> = LazyLock::new(|| {
+static BELOW: LazyLock<TestScene> = LazyLock::new(|| {
     let below = Point {
         position: Vec3::new(0.05, -2.0, 0.05),
         normal: Vec3::Y,
@@ -124,11 +124,11 @@ static BELOW: LazyLock<Subject> = LazyLock::new(|| {
 
 fn shaded<S: BackendScene>(
     loaded: &S,
-    subject: &Subject,
+    test_scene: &TestScene,
     settings: &[(&str, &str)],
 ) -> Result<Estimate, Failed> {
     let variant = configured("direct_radiance_map", Quantity::Irradiance, settings)?;
-    run(loaded, &variant, &subject.points(PointLayout::Surface))
+    run(loaded, &variant, &test_scene.points(PointLayout::Surface))
 }
 
 /// Sum of all values.
@@ -146,7 +146,7 @@ fn same(a: &Estimate, b: &Estimate, tolerance: &Tolerance) -> Result<(), String>
 /// light from it. Equation 14 and the corrected form give it none.
 fn back_sides_are_lit_by_equations_11_and_15<S: BackendScene>(
     loaded: &S,
-    subject: &Subject,
+    test_scene: &TestScene,
 ) -> Outcome {
     for (settings, lit) in [
         ([("solid_angle", "eq11")], true),
@@ -154,14 +154,17 @@ fn back_sides_are_lit_by_equations_11_and_15<S: BackendScene>(
         ([("solid_angle", "eq14")], false),
         ([("fidelity", "corrected")], false),
     ] {
-        let e = total(&shaded(loaded, subject, &settings)?);
+        let e = total(&shaded(loaded, test_scene, &settings)?);
         ensure!((e > 0.0) == lit, "{settings:?} gives {e} behind the floor");
     }
     Ok(())
 }
 
-fn settings_change_what_they_should<S: BackendScene>(loaded: &S, subject: &Subject) -> Outcome {
-    let with = |settings: &[(&str, &str)]| shaded(loaded, subject, settings);
+fn settings_change_what_they_should<S: BackendScene>(
+    loaded: &S,
+    test_scene: &TestScene,
+) -> Outcome {
+    let with = |settings: &[(&str, &str)]| shaded(loaded, test_scene, settings);
     let published = with(&[])?;
     ensure!(
         published == with(&[("solid_angle", "eq14"), ("texel", "grid"), ("mip", "false")])?,
@@ -207,10 +210,10 @@ fn settings_change_what_they_should<S: BackendScene>(loaded: &S, subject: &Subje
 /// is lost, and as near photons are bounded as discs are, a little less.
 fn texels_of_the_picture_lose_most_light<S: BackendScene>(
     loaded: &S,
-    subject: &Subject,
+    test_scene: &TestScene,
 ) -> Outcome {
-    let grid = total(&shaded(loaded, subject, &[("texel", "grid")])?);
-    let texture = total(&shaded(loaded, subject, &[("texel", "texture")])?);
+    let grid = total(&shaded(loaded, test_scene, &[("texel", "grid")])?);
+    let texture = total(&shaded(loaded, test_scene, &[("texel", "texture")])?);
     let kept = texture / grid;
     println!("kept: {:.2} %", 100.0 * kept);
     ensure!(
@@ -222,7 +225,7 @@ fn texels_of_the_picture_lose_most_light<S: BackendScene>(
 }
 
 /// Several lights give the sum of what each gives alone.
-fn lights_add_up<S: BackendScene>(loaded: impl Fn(&Subject) -> Result<S, Failed>) -> Outcome {
+fn lights_add_up<S: BackendScene>(loaded: impl Fn(&TestScene) -> Result<S, Failed>) -> Outcome {
     let rounding = Tolerance {
         absolute: 1e-6,
         relative: 1e-5,
@@ -234,7 +237,7 @@ fn lights_add_up<S: BackendScene>(loaded: impl Fn(&Subject) -> Result<S, Failed>
         &[("solid_angle", "eq15")],
         &[("fidelity", "corrected"), ("mip", "true")],
     ] {
-        let of = |subject: &Subject| shaded(&loaded(subject)?, subject, settings);
+        let of = |test_scene: &TestScene| shaded(&loaded(test_scene)?, test_scene, settings);
         let together = of(&LIT[4])?;
         let mut sum = Estimate::new(together.len());
         for alone in &LIT[..4] {
@@ -251,13 +254,13 @@ fn lights_add_up<S: BackendScene>(loaded: impl Fn(&Subject) -> Result<S, Failed>
 
 /// Two point lights with 64×64 samples a view: 49,152 photons, more than one dispatch sums. On the
 /// CPU there is no such limit.
-fn long_sums_come_in_parts<S: BackendScene>(loaded: &S, subject: &Subject) -> Outcome {
+fn long_sums_come_in_parts<S: BackendScene>(loaded: &S, test_scene: &TestScene) -> Outcome {
     let settings = [
         ("samples_per_side", "64"),
         ("map_resolution", "64"),
         ("fidelity", "corrected"),
     ];
-    let on_cpu = shaded(&cpu_scene(subject), subject, &settings)?;
+    let on_cpu = shaded(&cpu_scene(test_scene), test_scene, &settings)?;
     let tolerance = Tolerance {
         absolute: 1e-6,
         relative: 6e-5,
@@ -265,7 +268,7 @@ fn long_sums_come_in_parts<S: BackendScene>(loaded: &S, subject: &Subject) -> Ou
     };
     Ok(same(
         &on_cpu,
-        &shaded(loaded, subject, &settings)?,
+        &shaded(loaded, test_scene, &settings)?,
         &tolerance,
     )?)
 }

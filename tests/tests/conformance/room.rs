@@ -3,8 +3,8 @@
 use crate::ensure;
 use crate::room_points::{ROOM, Room};
 use crate::room_ties::{self, Light, Sum};
-use crate::subjects::Subject;
-use crate::world::{Outcome, Variant, configured, cpu_scene, gpu_scene, on_both, on_gpu, run};
+use crate::test_scenes::TestScene;
+use crate::variants::{Outcome, Variant, configured, cpu_scene, gpu_scene, on_both, on_gpu, run};
 use interreflect_estimators::Quantity;
 use interreflect_estimators::Tolerance;
 use interreflect_estimators::execution::BackendScene;
@@ -26,7 +26,7 @@ pub(crate) fn trials() -> Vec<Trial> {
     }
     let mut trials = Vec::from(on_both(
         "room/corrected_polygons_are_good_to_their_promise",
-        || &ROOM.subject,
+        || &ROOM.test_scene,
         promise,
         promise,
     ));
@@ -34,10 +34,10 @@ pub(crate) fn trials() -> Vec<Trial> {
         let (name, case) = (format!("room/{}", case.column), Arc::new(case));
         let one = case.clone();
         trials.push(Trial::test(format!("{name}/cpu"), move || {
-            one.check(&ROOM, &cpu_scene(&ROOM.subject))
+            one.check(&ROOM, &cpu_scene(&ROOM.test_scene))
         }));
         trials.push(on_gpu(format!("{name}/gpu"), move |context| {
-            case.check(&ROOM, &gpu_scene(context, &ROOM.subject)?)
+            case.check(&ROOM, &gpu_scene(context, &ROOM.test_scene)?)
         }));
     }
     trials
@@ -47,7 +47,7 @@ pub(crate) fn trials() -> Vec<Trial> {
 /// in float64 near walls, where quadrilaterals cut the room's edges off, and what float32 adds.
 const PROMISE: f64 = 0.016;
 
-fn promise<S: BackendScene>(loaded: &S, _: &Subject) -> Outcome {
+fn promise<S: BackendScene>(loaded: &S, _: &TestScene) -> Outcome {
     let room = &*ROOM;
     let settings = [
         ("fidelity", "corrected"),

@@ -1,6 +1,6 @@
 //! The points of `tests/points/room.csv` with their columns.
 
-use crate::subjects::{ROOM_ORIGIN, Subject, points_file};
+use crate::test_scenes::{ROOM_ORIGIN, TestScene, points_file};
 use glam::{DVec3, Vec3};
 use interreflect_scene::{Point, PointLayout, Points, SceneRequest, open};
 use libtest_mimic::Failed;
@@ -15,7 +15,7 @@ pub(crate) struct Room {
     columns: BTreeMap<String, Vec<f64>>,
     /// The text with the table of means.
     pub(crate) readme: String,
-    pub(crate) subject: Subject,
+    pub(crate) test_scene: TestScene,
 }
 
 /// The point set.
@@ -54,7 +54,7 @@ impl Room {
             groups,
             columns,
             readme: std::fs::read_to_string(points_file("README.md"))?,
-            subject: Subject::new("room", &scene, Vec::new()),
+            test_scene: TestScene::new("room", &scene, Vec::new()),
         })
     }
 

@@ -8,7 +8,7 @@
 
 use crate::ensure;
 use crate::room_points::ROOM;
-use crate::world::Outcome;
+use crate::variants::Outcome;
 use glam::DVec3;
 use interreflect_scene::conventions::{
     CUBE_FACES, cube_vector, texel_centre, texel_solid_angle_sr,

@@ -1,12 +1,12 @@
 //! Every check, on every method, fidelity, quantity and backend: what `verify` runs.
 
 use crate::ensure;
-use crate::world::{CPU, Outcome, Variant, ignored, on_gpu, variants};
+use crate::variants::{CPU, Outcome, Variant, ignored, on_gpu, variants};
 use interreflect_conformance::verify::{MethodUnderTest, TestBackend, Verdict, checks};
 use interreflect_estimators::Claim;
 use libtest_mimic::Trial;
 
-/// Random worlds for each claim: the command tries twice as many.
+/// Random box scenes for each claim: the command tries twice as many.
 const CASES: u32 = 4;
 
 pub(crate) fn trials() -> Vec<Trial> {
@@ -30,7 +30,7 @@ pub(crate) fn trials() -> Vec<Trial> {
 }
 
 fn checked(backend: TestBackend<'_>, variant: &Variant) -> Outcome {
-    let subject = MethodUnderTest {
+    let under_test = MethodUnderTest {
         backend,
         method: &*variant.method,
         quantity: variant.quantity,
@@ -40,7 +40,7 @@ fn checked(backend: TestBackend<'_>, variant: &Variant) -> Outcome {
     };
     let mut passed = Vec::new();
     for check in checks() {
-        let checked = check.run(&subject);
+        let checked = check.run(&under_test);
         let name = check.name;
         println!(
             "{name}: {} {:?} {}",
@@ -60,7 +60,7 @@ fn checked(backend: TestBackend<'_>, variant: &Variant) -> Outcome {
     }
     // A claim that no check asks about is no claim: each must have been tried, those of kernels on
     // the host.
-    let claims = subject.claims();
+    let claims = under_test.claims();
     let asked = claims
         .iter()
         .filter(|claim| !matches!(claim, Claim::FormFactor { .. }) || backend.name() == "cpu");

@@ -4,8 +4,8 @@
 mod ways;
 
 use crate::ensure;
-use crate::subjects::{SUBJECTS, Subject, same_bits};
-use crate::world::{CPU, Outcome, configured, cpu_scene, gpu_scene, ignored, on_gpu};
+use crate::test_scenes::{TEST_SCENES, TestScene, same_bits};
+use crate::variants::{CPU, Outcome, configured, cpu_scene, gpu_scene, ignored, on_gpu};
 use glam::Quat;
 use interreflect::view::{Look, Mirrors, ShadedAt, View};
 use interreflect_cpu::scene::CpuScene;
@@ -58,8 +58,8 @@ pub(crate) fn trials() -> Vec<Trial> {
     trials
 }
 
-fn studio() -> &'static Subject {
-    &SUBJECTS[2]
+fn studio() -> &'static TestScene {
+    &TEST_SCENES[2]
 }
 
 fn small(camera: Camera) -> Camera {

@@ -80,7 +80,7 @@ pub enum Show {
     /// The scene, as the camera sees it.
     Camera,
     /// The estimator's reflective shadow maps.
-    LightView,
+    Rsm,
 }
 
 impl Choice for Show {}

@@ -154,7 +154,7 @@ fn describe(needs: &Needs) -> String {
     if needs.environment {
         parts.push("the environment at infinity".into());
     }
-    parts.extend(needs.light_views.iter().map(|spec| {
+    parts.extend(needs.rsms.iter().map(|spec| {
         let c = spec.channels;
         let named = [
             (true, "position"),
@@ -163,7 +163,7 @@ fn describe(needs: &Needs) -> String {
             (c.true_colors, "true colours"),
         ];
         let channels: Vec<_> = named.iter().filter(|n| n.0).map(|n| n.1).collect();
-        format!("light views {}² {}", spec.size, channels.join("+"))
+        format!("RSMs {}² {}", spec.size, channels.join("+"))
     }));
     if needs.light_transport {
         parts.push("light transport".into());

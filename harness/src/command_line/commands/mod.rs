@@ -3,7 +3,6 @@
 mod bench;
 mod compare;
 mod concluded;
-mod light_view;
 mod list;
 mod merge;
 mod probe;
@@ -11,6 +10,7 @@ mod reference;
 mod render;
 mod report;
 mod reproduce;
+mod rsm;
 mod sequence;
 mod sweep;
 mod verify;
@@ -41,8 +41,8 @@ pub(crate) fn run(
         Command::Bench(command) => bench::run(&command, registry, invoked),
         Command::Sweep(command) => sweep::run(&command, registry, invoked),
         Command::Merge(command) => merge::run(&command, invoked),
-        Command::Render(command) if command.show == Show::LightView => {
-            light_view::run(&command, registry, invoked)
+        Command::Render(command) if command.show == Show::Rsm => {
+            rsm::run(&command, registry, invoked)
         }
         Command::Render(command) if command.frames.is_some() => sequence::run(&command, registry),
         Command::Render(command) => render::run(&command, registry, invoked),

@@ -147,9 +147,9 @@ fn checked(
     (method, quantity): (&dyn Configured, Quantity),
     backend: Backend,
 ) -> Vec<Record> {
-    let subject = subject(context, command, (method, quantity), backend);
-    let carry_out = |check: &Check| match &subject {
-        Ok(subject) => check.run(subject),
+    let under_test = under_test(context, command, (method, quantity), backend);
+    let carry_out = |check: &Check| match &under_test {
+        Ok(under_test) => check.run(under_test),
         Err(error) => no_device(error),
     };
     let record = |check: &Check| {
@@ -178,7 +178,7 @@ fn checked(
 }
 
 /// A variant on a backend, if it is there.
-fn subject<'a>(
+fn under_test<'a>(
     context: &'a Context,
     command: &Verify,
     (method, quantity): (&'a dyn Configured, Quantity),
@@ -205,7 +205,7 @@ fn no_device(error: &GpuError) -> Checked {
     }
 }
 
-/// The command that shows a failed check, in its smallest world.
+/// The command that reproduces a failed check in its smallest box scene.
 fn reproduction(
     command: &Verify,
     (method, quantity): (&dyn Configured, Quantity),

@@ -112,6 +112,21 @@ fn the_receiver_stands_at_its_gap() {
 }
 
 #[test]
+fn the_sphere_of_the_colored_room_is_not_around_the_reference_point() {
+    let turn = |set: &[(&str, &str)]| {
+        let scene = opened("colored-room", set, None);
+        let mesh = &scene.objects_of(Role::Receiver).next().unwrap().mesh;
+        let cosines = mesh.positions.iter().zip(&mesh.normals).map(|(x, n)| {
+            let from_reference = (*x - scene.reference_point).normalize();
+            from_reference.dot(*n)
+        });
+        cosines.fold(1.0, f32::min)
+    };
+    assert!(turn(&[("reference.offset", "0")]) > 0.999);
+    assert!(turn(&[]) < 0.9);
+}
+
+#[test]
 fn the_cornell_box_has_one_flux_in_three_variants() {
     use crate::Light;
     use std::f32::consts::{PI, TAU};

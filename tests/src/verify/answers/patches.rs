@@ -5,8 +5,8 @@ use crate::oracles::form_factors::{
     CUBE_ADJACENT, CUBE_OPPOSITE, coaxial_disc, offset_disc, parallel_rectangle,
     perpendicular_rectangle, sphere_above_horizon,
 };
+use crate::verify::box_scene::Lighting;
 use crate::verify::case::Case;
-use crate::verify::world::Lighting;
 use glam::{DVec3, Vec3};
 use interreflect_estimators::{Answers, OwnModel, Quantity};
 use interreflect_scene::{Material, Mesh, Point, Scene, shapes};
@@ -215,7 +215,7 @@ fn faces(model: OwnModel, quantity: Quantity, face: usize, factor: f64) -> Optio
     let mut cube = case([0.5; 3], [0.0; 6], [0.0; 3], Vec::new());
     cube.walls[face] = 1.0;
     Some(vec![Setting {
-        scene: cube.world(Lighting::Walls).scene(),
+        scene: cube.box_scene(Lighting::Walls).scene(),
         points: points.collect(),
     }])
 }
@@ -247,10 +247,10 @@ fn room(model: OwnModel, quantity: Quantity) -> Option<Vec<Setting>> {
     let settings = boxes.map(|(half, walls, reference)| {
         let points = orientations(64).enumerate();
         let points = points.map(|(i, n)| [within(i), n.as_vec3().to_array()]);
-        let world = case(half, walls, reference, points.collect()).world(Lighting::Walls);
-        let answer = |p: &Point| Some((*p, DVec3::splat(world.irradiance(model, p)?)));
-        let points: Option<Vec<_>> = world.points.iter().map(answer).collect();
-        let scene: Scene = world.scene();
+        let box_scene = case(half, walls, reference, points.collect()).box_scene(Lighting::Walls);
+        let answer = |p: &Point| Some((*p, DVec3::splat(box_scene.irradiance(model, p)?)));
+        let points: Option<Vec<_>> = box_scene.points.iter().map(answer).collect();
+        let scene: Scene = box_scene.scene();
         points.map(|points| Setting { scene, points })
     });
     settings.into_iter().collect()

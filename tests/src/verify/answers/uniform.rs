@@ -3,7 +3,7 @@
 use super::{Answer, Reduce, Setting, facing, orientations, scene};
 use crate::oracles::form_factors::furnace_radiance;
 use crate::oracles::skies::{hemispherical_sky, linear_sky, quadratic_sky};
-use crate::verify::world::sky;
+use crate::verify::box_scene::sky;
 use glam::{DVec3, Vec3};
 use interreflect_estimators::{Answers, OwnModel, Quantity};
 use interreflect_scene::material::blinn_phong_normalisation;

@@ -1,6 +1,6 @@
 //! What is taken to its extreme, and where on each axis.
 
-use crate::verify::world::{Lighting, Placement, World};
+use crate::verify::box_scene::{BoxScene, Lighting, Placement};
 use crate::verify::{Case, MethodUnderTest};
 use glam::{DVec3, Mat3, Vec3};
 use interreflect_estimators::{Configured, Quantity};
@@ -98,34 +98,34 @@ fn normal_lengths() -> Vec<f64> {
 }
 
 /// A box of unequal walls with points all over it.
-fn world(lighting: Lighting) -> World {
-    Case::unequal(48).world(lighting)
+fn box_scene(lighting: Lighting) -> BoxScene {
+    Case::unequal(48).box_scene(lighting)
 }
 
-fn place(subject: &MethodUnderTest<'_>, world: &World) -> Place {
+fn place(under_test: &MethodUnderTest<'_>, box_scene: &BoxScene) -> Place {
     Place {
-        scene: world.scene(),
-        points: world.placed_points(subject.quantity),
-        method: subject.method.boxed_clone(),
-        greatest: world.greatest(subject.quantity),
+        scene: box_scene.scene(),
+        points: box_scene.placed_points(under_test.quantity),
+        method: under_test.method.boxed_clone(),
+        greatest: box_scene.greatest(under_test.quantity),
     }
 }
 
-fn scale(subject: &MethodUnderTest<'_>, lighting: Lighting, metres: f64) -> Option<Place> {
-    let mut world = world(lighting);
-    world.placement = Placement {
+fn scale(under_test: &MethodUnderTest<'_>, lighting: Lighting, metres: f64) -> Option<Place> {
+    let mut box_scene = box_scene(lighting);
+    box_scene.placement = Placement {
         linear: Mat3::from_diagonal(Vec3::splat(metres as f32)),
         shift: Vec3::ZERO,
     };
-    Some(place(subject, &world))
+    Some(place(under_test, &box_scene))
 }
 
 /// All light times a factor.
-fn radiance(subject: &MethodUnderTest<'_>, lighting: Lighting, factor: f64) -> Option<Place> {
-    if subject.quantity == Quantity::AmbientOcclusion {
+fn radiance(under_test: &MethodUnderTest<'_>, lighting: Lighting, factor: f64) -> Option<Place> {
+    if under_test.quantity == Quantity::AmbientOcclusion {
         return None;
     }
-    let mut place = place(subject, &world(lighting));
+    let mut place = place(under_test, &box_scene(lighting));
     let factor = factor as f32;
     for material in &mut place.scene.materials {
         material.emission *= factor;
@@ -143,63 +143,67 @@ fn radiance(subject: &MethodUnderTest<'_>, lighting: Lighting, factor: f64) -> O
 }
 
 /// Points so far from a wall, which face it, face away and look along it.
-fn gap(subject: &MethodUnderTest<'_>, lighting: Lighting, metres: f64) -> Option<Place> {
-    let mut world = world(lighting);
-    let x = world.half.x - metres as f32;
-    for (i, point) in world.points.iter_mut().enumerate() {
+fn gap(under_test: &MethodUnderTest<'_>, lighting: Lighting, metres: f64) -> Option<Place> {
+    let mut box_scene = box_scene(lighting);
+    let x = box_scene.half.x - metres as f32;
+    for (i, point) in box_scene.points.iter_mut().enumerate() {
         point.position.x = x;
         point.normal = [Vec3::X, Vec3::NEG_X, Vec3::Y, Vec3::NEG_Z][i % 4];
         point.view = (point.normal + Vec3::new(-0.3, 0.2, 0.1)).normalize();
     }
-    Some(place(subject, &world))
+    Some(place(under_test, &box_scene))
 }
 
 /// Points so far from the reference point.
-fn from_reference(subject: &MethodUnderTest<'_>, lighting: Lighting, metres: f64) -> Option<Place> {
-    let mut world = world(lighting);
-    let reference = world.reference;
-    for point in &mut world.points {
+fn from_reference(
+    under_test: &MethodUnderTest<'_>,
+    lighting: Lighting,
+    metres: f64,
+) -> Option<Place> {
+    let mut box_scene = box_scene(lighting);
+    let reference = box_scene.reference;
+    for point in &mut box_scene.points {
         let away = Vec3::new(point.normal.y, point.normal.z, point.normal.x);
         point.position = reference + away * metres as f32;
     }
-    Some(place(subject, &world))
+    Some(place(under_test, &box_scene))
 }
 
 /// Points on a wall where the rays from the reference point through middles, edges and corners of its
 /// texels meet it, for maps of 4² texels a face.
-fn on_texel(subject: &MethodUnderTest<'_>, lighting: Lighting, which: f64) -> Option<Place> {
-    let mut world = world(lighting);
+fn on_texel(under_test: &MethodUnderTest<'_>, lighting: Lighting, which: f64) -> Option<Place> {
+    let mut box_scene = box_scene(lighting);
     let (s, t) = [(0.25, 0.25), (0.5, 0.25), (0.5, 0.5)][which as usize];
-    let distance = world.half.x - world.reference.x;
-    for (i, point) in world.points.iter_mut().enumerate() {
+    let distance = box_scene.half.x - box_scene.reference.x;
+    for (i, point) in box_scene.points.iter_mut().enumerate() {
         let side = |k: usize| if i >> k & 1 == 0 { -1.0_f32 } else { 1.0 };
         let along = Vec3::new(1.0, side(0) * s, side(1) * t);
-        point.position = world.reference + along * distance;
-        point.position.x = world.half.x;
+        point.position = box_scene.reference + along * distance;
+        point.position.x = box_scene.half.x;
         point.normal = [Vec3::NEG_X, Vec3::X, Vec3::Y][(i >> 2) % 3];
         point.view = (point.normal + Vec3::new(-0.3, 0.2, 0.1)).normalize();
     }
-    Some(place(subject, &world))
+    Some(place(under_test, &box_scene))
 }
 
 /// One wall alone, seen by points whose normals have so large a cosine to its axis.
-fn grazing(subject: &MethodUnderTest<'_>, lighting: Lighting, cosine: f64) -> Option<Place> {
-    let mut world = world(lighting);
+fn grazing(under_test: &MethodUnderTest<'_>, lighting: Lighting, cosine: f64) -> Option<Place> {
+    let mut box_scene = box_scene(lighting);
     if lighting != Lighting::Sky {
-        world.walls = std::array::from_fn(|i| Vec3::splat(f32::from(u8::from(i == 0))));
+        box_scene.walls = std::array::from_fn(|i| Vec3::splat(f32::from(u8::from(i == 0))));
     }
     let sine = (1.0 - cosine * cosine).sqrt();
-    for (i, point) in world.points.iter_mut().enumerate() {
+    for (i, point) in box_scene.points.iter_mut().enumerate() {
         let (sin, cos) = (0.7 * i as f64).sin_cos();
         point.normal = DVec3::new(cosine, sine * sin, sine * cos).as_vec3();
         point.view = (point.normal + Vec3::new(0.3, 0.2, -0.1)).normalize();
     }
-    Some(place(subject, &world))
+    Some(place(under_test, &box_scene))
 }
 
 /// The box with a strip before one wall, so wide.
-fn sliver(subject: &MethodUnderTest<'_>, lighting: Lighting, metres: f64) -> Option<Place> {
-    let mut place = place(subject, &world(lighting));
+fn sliver(under_test: &MethodUnderTest<'_>, lighting: Lighting, metres: f64) -> Option<Place> {
+    let mut place = place(under_test, &box_scene(lighting));
     let mesh = &mut place.scene.objects.first_mut()?.mesh;
     let first = mesh.positions.len() as u32;
     let width = metres.min(1.0) as f32;
@@ -217,8 +221,8 @@ fn sliver(subject: &MethodUnderTest<'_>, lighting: Lighting, metres: f64) -> Opt
 }
 
 /// Every map of so few texels.
-fn texels(subject: &MethodUnderTest<'_>, lighting: Lighting, side: f64) -> Option<Place> {
-    let mut place = place(subject, &world(lighting));
+fn texels(under_test: &MethodUnderTest<'_>, lighting: Lighting, side: f64) -> Option<Place> {
+    let mut place = place(under_test, &box_scene(lighting));
     let mut touched = false;
     for (field, value) in place.method.values() {
         let counts = field.name.ends_with("resolution") || field.name == "samples_per_side";
@@ -230,33 +234,37 @@ fn texels(subject: &MethodUnderTest<'_>, lighting: Lighting, side: f64) -> Optio
     touched.then_some(place)
 }
 
-fn shininess(subject: &MethodUnderTest<'_>, lighting: Lighting, exponent: f64) -> Option<Place> {
-    let mut world = world(lighting);
-    for point in &mut world.points {
+fn shininess(under_test: &MethodUnderTest<'_>, lighting: Lighting, exponent: f64) -> Option<Place> {
+    let mut box_scene = box_scene(lighting);
+    for point in &mut box_scene.points {
         point.material.shininess = exponent as f32;
     }
-    (subject.quantity == Quantity::GlossyRadiance).then(|| place(subject, &world))
+    (under_test.quantity == Quantity::GlossyRadiance).then(|| place(under_test, &box_scene))
 }
 
-fn normal_length(subject: &MethodUnderTest<'_>, lighting: Lighting, length: f64) -> Option<Place> {
-    let mut world = world(lighting);
-    for point in &mut world.points {
+fn normal_length(
+    under_test: &MethodUnderTest<'_>,
+    lighting: Lighting,
+    length: f64,
+) -> Option<Place> {
+    let mut box_scene = box_scene(lighting);
+    for point in &mut box_scene.points {
         point.normal *= length as f32;
     }
-    Some(place(subject, &world))
+    Some(place(under_test, &box_scene))
 }
 
 /// No number in a mesh, a radiance, a sky, a point.
-fn no_number(subject: &MethodUnderTest<'_>, lighting: Lighting, which: f64) -> Option<Place> {
-    let mut place = place(subject, &world(lighting));
+fn no_number(under_test: &MethodUnderTest<'_>, lighting: Lighting, which: f64) -> Option<Place> {
+    let mut place = place(under_test, &box_scene(lighting));
     match which as u32 {
         0 => place.scene.objects.first_mut()?.mesh.positions[2].y = f32::NAN,
         1 => place.scene.materials.first_mut()?.emission.x = f32::INFINITY,
         2 => place.scene.environment.as_mut()?.image.texels[5].z = f32::NAN,
         _ => {
-            let mut world = world(lighting);
-            world.points[7].position.x = f32::NAN;
-            place.points = world.placed_points(subject.quantity);
+            let mut box_scene = box_scene(lighting);
+            box_scene.points[7].position.x = f32::NAN;
+            place.points = box_scene.placed_points(under_test.quantity);
         }
     }
     Some(place)

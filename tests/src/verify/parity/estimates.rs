@@ -28,12 +28,12 @@ pub fn float32(texels: f64, largest: f64) -> Tolerance {
 /// # Errors
 /// [`VerifyError`] if the method can't run there on both, or can't be given captures.
 pub fn estimate_parity(
-    subject: &MethodUnderTest<'_>,
+    under_test: &MethodUnderTest<'_>,
     context: &Arc<GpuContext>,
     loaded: &LoadedScene,
     points: &Points,
 ) -> Result<Apart, VerifyError> {
-    let (method, quantity) = (subject.method, subject.quantity);
+    let (method, quantity) = (under_test.method, under_test.quantity);
     let mut on_host = loaded.cpu().executor(method, quantity, points)?;
     let host = on_host.estimate()?;
     let captures = on_host.captures()?;

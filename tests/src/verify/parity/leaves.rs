@@ -9,8 +9,8 @@ use interreflect_gpu::{GpuContext, GpuError, Shader, wgsl};
 use std::sync::Arc;
 
 /// All leaf functions of a method, on the host and on the device.
-pub(super) fn parity(subject: &MethodUnderTest<'_>, context: &Arc<GpuContext>) -> Found {
-    let leaves = subject.method.leaves();
+pub(super) fn parity(under_test: &MethodUnderTest<'_>, context: &Arc<GpuContext>) -> Found {
+    let leaves = under_test.method.leaves();
     let mut finding = Finding::default();
     for leaf in leaves.functions {
         finding.cases += (leaf.inputs)().len();

@@ -10,12 +10,12 @@ pub use leaves::{on_device as leaf_on_device, on_host as leaf_on_host};
 pub use records::record_parity;
 
 use super::{Finding, Found, MethodUnderTest, Nothing, TestBackend, VerifyError};
+use crate::verify::box_scene::Lighting;
 use crate::verify::case::Case;
-use crate::verify::world::Lighting;
 use interreflect_estimators::execution::LoadedScene;
 use interreflect_estimators::{Captures, Cpu};
 use interreflect_gpu::{GpuContext, validate};
-use interreflect_scene::{CubeImage, LightViewImage, Points};
+use interreflect_scene::{CubeImage, Points, RsmImage};
 use std::sync::Arc;
 
 /// A check that asks both backends.
@@ -41,29 +41,29 @@ pub(super) fn all() -> [Parity; 4] {
         Parity {
             name: "record_parity",
             about: "both backends prepare the same records from the same captures",
-            find: |subject, context| in_worlds(subject, context, record_parity),
+            find: |under_test, context| in_box_scenes(under_test, context, record_parity),
         },
         Parity {
             name: "estimate_parity",
             about: "both backends give the same estimates from the same captures",
-            find: |subject, context| in_worlds(subject, context, estimate_parity),
+            find: |under_test, context| in_box_scenes(under_test, context, estimate_parity),
         },
     ]
 }
 
 impl Parity {
-    pub(super) fn run(&self, subject: &MethodUnderTest<'_>) -> Found {
-        let TestBackend::Gpu(_, context) = subject.backend else {
+    pub(super) fn run(&self, under_test: &MethodUnderTest<'_>) -> Found {
+        let TestBackend::Gpu(_, context) = under_test.backend else {
             let why = "the GPU is compared with the CPU: asked on the GPU";
             return Err(Nothing::NotApplicable(why.into()));
         };
-        subject.method.on_cpu().map(drop)?;
-        (self.find)(subject, context)
+        under_test.method.on_cpu().map(drop)?;
+        (self.find)(under_test, context)
     }
 }
 
-fn shaders_valid(subject: &MethodUnderTest<'_>, _context: &Arc<GpuContext>) -> Found {
-    let shaders = subject.method.shaders();
+fn shaders_valid(under_test: &MethodUnderTest<'_>, _context: &Arc<GpuContext>) -> Found {
+    let shaders = under_test.method.shaders();
     let mut finding = Finding {
         cases: shaders.len(),
         ..Finding::default()
@@ -105,8 +105,12 @@ impl Apart {
 type Compare =
     fn(&MethodUnderTest<'_>, &Arc<GpuContext>, &LoadedScene, &Points) -> Result<Apart, VerifyError>;
 
-/// Tries all worlds that the method can run in: closed walls that emit, a lamp, an open sky.
-fn in_worlds(subject: &MethodUnderTest<'_>, context: &Arc<GpuContext>, compare: Compare) -> Found {
+/// Tries all box scenes that the method can run in: closed walls that emit, a lamp, an open sky.
+fn in_box_scenes(
+    under_test: &MethodUnderTest<'_>,
+    context: &Arc<GpuContext>,
+    compare: Compare,
+) -> Found {
     const POINTS: usize = 203;
     let mut finding = Finding {
         bound: 1.0,
@@ -114,10 +118,10 @@ fn in_worlds(subject: &MethodUnderTest<'_>, context: &Arc<GpuContext>, compare: 
     };
     let mut reason = None;
     for lighting in [Lighting::Walls, Lighting::Lamp, Lighting::Sky] {
-        let world = Case::unequal(POINTS).world(lighting);
-        let points = world.placed_points(subject.quantity);
-        let apart = subject.backend.load(&world.scene());
-        let apart = apart.and_then(|loaded| compare(subject, context, &loaded, &points));
+        let box_scene = Case::unequal(POINTS).box_scene(lighting);
+        let points = box_scene.placed_points(under_test.quantity);
+        let apart = under_test.backend.load(&box_scene.scene());
+        let apart = apart.and_then(|loaded| compare(under_test, context, &loaded, &points));
         match apart.map_err(Nothing::from) {
             Ok(apart) => {
                 finding.cases += apart.cases;
@@ -167,6 +171,6 @@ pub const OF_A_TERM: f64 = 40.0;
 /// Texels of all captures: more than any record or estimate is summed of.
 pub fn texels(captures: &Captures<Cpu>) -> f64 {
     let cubes = captures.cubes.values().map(CubeImage::texels);
-    let views = captures.light_views.values().map(LightViewImage::texels);
+    let views = captures.rsms.values().map(RsmImage::texels);
     cubes.chain(views).sum::<usize>() as f64
 }

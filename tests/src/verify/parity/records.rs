@@ -16,12 +16,12 @@ use std::sync::Arc;
 /// # Errors
 /// [`VerifyError`] if the method can't run there, or what it makes can't be compared.
 pub fn record_parity(
-    subject: &MethodUnderTest<'_>,
+    under_test: &MethodUnderTest<'_>,
     context: &Arc<GpuContext>,
     loaded: &LoadedScene,
     points: &Points,
 ) -> Result<Apart, VerifyError> {
-    let (method, quantity) = (subject.method, subject.quantity);
+    let (method, quantity) = (under_test.method, under_test.quantity);
     let mut on_host = loaded.cpu().executor(method, quantity, points)?;
     on_host.prepare(Changed::ALL)?;
     let captures = on_host.captures()?;

@@ -1,7 +1,7 @@
 //! Rules of a method's own.
 
 use super::{Property, Slack, Worst};
-use crate::verify::{MethodUnderTest, VerifyError, World};
+use crate::verify::{BoxScene, MethodUnderTest, VerifyError};
 use interreflect_estimators::{Claim, PointEstimate};
 
 pub(super) fn property() -> Property {
@@ -20,13 +20,13 @@ pub(super) fn property() -> Property {
 }
 
 /// The largest departure from any of the rules, over what each allows.
-fn violation(subject: &MethodUnderTest<'_>, world: &World) -> Result<Worst, VerifyError> {
-    let quantity = subject.quantity;
-    let (scene, points) = (world.scene(), world.placed_points(quantity));
-    let estimate = subject.estimate(world)?;
-    let greatest = world.greatest(quantity);
+fn violation(under_test: &MethodUnderTest<'_>, box_scene: &BoxScene) -> Result<Worst, VerifyError> {
+    let quantity = under_test.quantity;
+    let (scene, points) = (box_scene.scene(), box_scene.placed_points(quantity));
+    let estimate = under_test.estimate(box_scene)?;
+    let greatest = box_scene.greatest(quantity);
     let mut worst = Worst::default();
-    for claim in subject.claims() {
+    for claim in under_test.claims() {
         let Claim::AtPoints {
             departure, within, ..
         } = claim

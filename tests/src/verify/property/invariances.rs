@@ -1,7 +1,7 @@
 //! What must not change an estimate.
 
 use super::{Property, Slack, Worst};
-use crate::verify::{Lighting, MethodUnderTest, Placement, VerifyError, World};
+use crate::verify::{BoxScene, Lighting, MethodUnderTest, Placement, VerifyError};
 use glam::{Mat3, Vec3};
 use interreflect_estimators::Claim;
 
@@ -61,47 +61,53 @@ pub(super) fn all() -> [Property; 5] {
 }
 
 fn placed(
-    subject: &MethodUnderTest<'_>,
-    world: &World,
+    under_test: &MethodUnderTest<'_>,
+    box_scene: &BoxScene,
     placements: &[Placement],
 ) -> Result<Worst, VerifyError> {
-    let first = subject.estimate(world)?;
+    let first = under_test.estimate(box_scene)?;
     let mut worst = Worst::default();
     for &placement in placements {
-        let there = subject.estimate(&World {
+        let there = under_test.estimate(&BoxScene {
             placement,
-            ..world.clone()
+            ..box_scene.clone()
         })?;
         worst = worst.or(Worst::apart(
             &first,
             &there,
-            world.greatest(subject.quantity),
+            box_scene.greatest(under_test.quantity),
         ));
     }
     Ok(worst)
 }
 
-fn scale_invariant(subject: &MethodUnderTest<'_>, world: &World) -> Result<Worst, VerifyError> {
+fn scale_invariant(
+    under_test: &MethodUnderTest<'_>,
+    box_scene: &BoxScene,
+) -> Result<Worst, VerifyError> {
     let scaled = |k: f32| Placement {
         linear: Mat3::from_diagonal(Vec3::splat(k)),
         shift: Vec3::ZERO,
     };
-    placed(subject, world, &[scaled(0.037), scaled(29.0)])
+    placed(under_test, box_scene, &[scaled(0.037), scaled(29.0)])
 }
 
 fn translation_invariant(
-    subject: &MethodUnderTest<'_>,
-    world: &World,
+    under_test: &MethodUnderTest<'_>,
+    box_scene: &BoxScene,
 ) -> Result<Worst, VerifyError> {
     let shifted = Placement {
         linear: Mat3::IDENTITY,
         shift: Vec3::new(3.1, -2.3, 1.7),
     };
-    placed(subject, world, &[shifted])
+    placed(under_test, box_scene, &[shifted])
 }
 
 /// A mirror and a swap of axes: together they make all 48 symmetries.
-fn cube_symmetric(subject: &MethodUnderTest<'_>, world: &World) -> Result<Worst, VerifyError> {
+fn cube_symmetric(
+    under_test: &MethodUnderTest<'_>,
+    box_scene: &BoxScene,
+) -> Result<Worst, VerifyError> {
     let mirrored = Mat3::from_diagonal(Vec3::new(-1.0, 1.0, 1.0));
     let swapped = Mat3::from_cols(Vec3::Y, Vec3::X, Vec3::Z);
     let turned = Mat3::from_cols(Vec3::Y, Vec3::Z, Vec3::X);
@@ -109,31 +115,41 @@ fn cube_symmetric(subject: &MethodUnderTest<'_>, world: &World) -> Result<Worst,
         linear,
         shift: Vec3::ZERO,
     });
-    placed(subject, world, &placements)
+    placed(under_test, box_scene, &placements)
 }
 
 /// All points moved to the place of the first.
-fn position_invariant(subject: &MethodUnderTest<'_>, world: &World) -> Result<Worst, VerifyError> {
-    let mut together = world.clone();
+fn position_invariant(
+    under_test: &MethodUnderTest<'_>,
+    box_scene: &BoxScene,
+) -> Result<Worst, VerifyError> {
+    let mut together = box_scene.clone();
     let place = together.points[0].position + Vec3::new(0.11, -0.07, 0.05);
     together.points.iter_mut().for_each(|p| p.position = place);
-    let lists = [world, &together].map(|w| w.placed_points(subject.quantity));
-    let estimates = subject.estimates(&world.scene(), &lists)?;
-    let greatest = world.greatest(subject.quantity);
+    let lists = [box_scene, &together].map(|w| w.placed_points(under_test.quantity));
+    let estimates = under_test.estimates(&box_scene.scene(), &lists)?;
+    let greatest = box_scene.greatest(under_test.quantity);
     Ok(Worst::apart(&estimates[0], &estimates[1], greatest))
 }
 
 /// Points at the reference point of a box, and of one whose walls stand at other distances along the
 /// same rays.
-fn distance_free(subject: &MethodUnderTest<'_>, world: &World) -> Result<Worst, VerifyError> {
-    let mut near = world.clone();
+fn distance_free(
+    under_test: &MethodUnderTest<'_>,
+    box_scene: &BoxScene,
+) -> Result<Worst, VerifyError> {
+    let mut near = box_scene.clone();
     for point in &mut near.points {
-        point.position = world.reference;
+        point.position = box_scene.reference;
     }
-    let far = World {
+    let far = BoxScene {
         reach: [1.0, 2.5, 0.6, 3.0, 1.4, 0.8],
         ..near.clone()
     };
-    let (near, far) = (subject.estimate(&near)?, subject.estimate(&far)?);
-    Ok(Worst::apart(&near, &far, world.greatest(subject.quantity)))
+    let (near, far) = (under_test.estimate(&near)?, under_test.estimate(&far)?);
+    Ok(Worst::apart(
+        &near,
+        &far,
+        box_scene.greatest(under_test.quantity),
+    ))
 }

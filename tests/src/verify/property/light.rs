@@ -1,7 +1,7 @@
 //! What more, less or other light must do.
 
 use super::{Property, Slack, Worst, apart};
-use crate::verify::{Lighting, MethodUnderTest, VerifyError, World};
+use crate::verify::{BoxScene, Lighting, MethodUnderTest, VerifyError};
 use glam::Vec3;
 use interreflect_estimators::{Claim, Quantity};
 use interreflect_scene::conventions::cube_frame;
@@ -69,46 +69,54 @@ fn no_light(quantity: Quantity) -> Option<&'static str> {
     (quantity == Quantity::AmbientOcclusion).then_some("openness does not depend on light")
 }
 
-fn non_negative(subject: &MethodUnderTest<'_>, world: &World) -> Result<Worst, VerifyError> {
-    let estimate = subject.estimate(world)?;
+fn non_negative(
+    under_test: &MethodUnderTest<'_>,
+    box_scene: &BoxScene,
+) -> Result<Worst, VerifyError> {
+    let estimate = under_test.estimate(box_scene)?;
     let below = estimate.iter().map(|v| f64::from(-v.min_element()));
-    Ok(Worst::of(below, world.greatest(subject.quantity)))
+    Ok(Worst::of(below, box_scene.greatest(under_test.quantity)))
 }
 
-fn bounded(subject: &MethodUnderTest<'_>, world: &World) -> Result<Worst, VerifyError> {
-    let estimate = subject.estimate(world)?;
+fn bounded(under_test: &MethodUnderTest<'_>, box_scene: &BoxScene) -> Result<Worst, VerifyError> {
+    let estimate = under_test.estimate(box_scene)?;
     let values = estimate.iter().map(|v| f64::from(v.max_element()));
-    Ok(Worst::of(values, world.greatest(subject.quantity)))
+    Ok(Worst::of(values, box_scene.greatest(under_test.quantity)))
 }
 
 /// Half of one light and half of another, against the mean of their estimates.
-fn linear(subject: &MethodUnderTest<'_>, world: &World) -> Result<Worst, VerifyError> {
-    let mut other = world.clone();
-    match world.lighting {
-        Lighting::Sky => other.sky = Vec3::new(-world.sky.y, world.sky.z, 0.5 * world.sky.x),
+fn linear(under_test: &MethodUnderTest<'_>, box_scene: &BoxScene) -> Result<Worst, VerifyError> {
+    let mut other = box_scene.clone();
+    match box_scene.lighting {
+        Lighting::Sky => {
+            other.sky = Vec3::new(-box_scene.sky.y, box_scene.sky.z, 0.5 * box_scene.sky.x)
+        }
         _ => other.walls.rotate_left(1),
     }
-    let mut both = world.clone();
-    both.sky = 0.5 * (world.sky + other.sky);
-    if world.lighting != Lighting::Sky {
-        let pairs = world.walls.iter().zip(other.walls);
+    let mut both = box_scene.clone();
+    both.sky = 0.5 * (box_scene.sky + other.sky);
+    if box_scene.lighting != Lighting::Sky {
+        let pairs = box_scene.walls.iter().zip(other.walls);
         let mut pairs = pairs.map(|(a, b)| 0.5 * (*a + b));
         both.walls = std::array::from_fn(|_| pairs.next().unwrap_or_default());
     }
-    let [first, second, sum] = [world, &other, &both].map(|w| subject.estimate(w));
+    let [first, second, sum] = [box_scene, &other, &both].map(|w| under_test.estimate(w));
     let (first, second, sum) = (first?, second?, sum?);
     let parts = first.iter().zip(second.iter());
     let residual = parts.zip(sum.iter());
     let residual = residual.map(|((a, b), sum)| apart(0.5 * (a + b), sum));
-    let greatest = [world, &other].map(|w| w.greatest(subject.quantity));
+    let greatest = [box_scene, &other].map(|w| w.greatest(under_test.quantity));
     Ok(Worst::of(residual, greatest[0].max(greatest[1])))
 }
 
 /// Each wall alone, seen by points that face away from it.
-fn dark_from_behind(subject: &MethodUnderTest<'_>, world: &World) -> Result<Worst, VerifyError> {
+fn dark_from_behind(
+    under_test: &MethodUnderTest<'_>,
+    box_scene: &BoxScene,
+) -> Result<Worst, VerifyError> {
     let mut worst = Worst::default();
-    for face in 0..world.walls.len() {
-        let mut alone = world.clone();
+    for face in 0..box_scene.walls.len() {
+        let mut alone = box_scene.clone();
         for (i, wall) in alone.walls.iter_mut().enumerate() {
             *wall = Vec3::splat(f32::from(u8::from(i == face)));
         }
@@ -117,26 +125,26 @@ fn dark_from_behind(subject: &MethodUnderTest<'_>, world: &World) -> Result<Wors
             point.normal = -axis.as_vec3();
             point.view = (point.normal + 0.3 * beside.as_vec3()).normalize();
         }
-        worst = worst.or(bounded(subject, &alone)?);
+        worst = worst.or(bounded(under_test, &alone)?);
     }
     Ok(worst)
 }
 
 /// Half of the walls, then all.
 fn monotone_in_occluders(
-    subject: &MethodUnderTest<'_>,
-    world: &World,
+    under_test: &MethodUnderTest<'_>,
+    box_scene: &BoxScene,
 ) -> Result<Worst, VerifyError> {
-    let all = World {
+    let all = BoxScene {
         specks: true,
-        ..world.clone()
+        ..box_scene.clone()
     };
     let mut fewer = all.clone();
     for wall in fewer.walls.iter_mut().step_by(2) {
         *wall = Vec3::ZERO;
     }
-    let (fewer, all) = (subject.estimate(&fewer)?, subject.estimate(&all)?);
+    let (fewer, all) = (under_test.estimate(&fewer)?, under_test.estimate(&all)?);
     let risen = fewer.iter().zip(all.iter());
     let risen = risen.map(|(fewer, all)| f64::from((all - fewer).max_element()));
-    Ok(Worst::of(risen, world.greatest(subject.quantity)))
+    Ok(Worst::of(risen, box_scene.greatest(under_test.quantity)))
 }

@@ -4,9 +4,7 @@ use super::{Broken, Outcome, Rule, Where, same_bits};
 use crate::verify::{MethodUnderTest, OnBackend, VerifyError};
 use interreflect_estimators::execution::{BackendScene, Executor};
 use interreflect_estimators::{Backend, Changed, Configured, EstimatorError, Quantity};
-use interreflect_scene::{
-    CubeChannels, CubeSpec, LightViewChannels, LightViewSpec, Needs, Points, Scene,
-};
+use interreflect_scene::{CubeChannels, CubeSpec, Needs, Points, RsmChannels, RsmSpec, Scene};
 use std::rc::Rc;
 
 pub(super) fn all() -> [Rule; 3] {
@@ -19,17 +17,17 @@ pub(super) fn all() -> [Rule; 3] {
         rule(
             "reads_what_it_declares",
             "every declared capture is read",
-            |subject, scene, points| staged(subject, scene, points, What::ReadsAll),
+            |under_test, scene, points| staged(under_test, scene, points, What::ReadsAll),
         ),
         rule(
             "declares_what_it_reads",
             "no undeclared capture can be read, and none is declared that the scene cannot have",
-            |subject, scene, points| staged(subject, scene, points, What::ReadsNothingElse),
+            |under_test, scene, points| staged(under_test, scene, points, What::ReadsNothingElse),
         ),
         rule(
             "prepared_again",
             "a session prepared again for captures alone gives the same bits",
-            |subject, scene, points| staged(subject, scene, points, What::PreparedAgain),
+            |under_test, scene, points| staged(under_test, scene, points, What::PreparedAgain),
         ),
     ]
 }
@@ -48,14 +46,14 @@ struct Job<'a> {
     points: &'a Points,
 }
 
-fn staged(subject: &MethodUnderTest<'_>, scene: &Scene, points: &Points, what: What) -> Outcome {
+fn staged(under_test: &MethodUnderTest<'_>, scene: &Scene, points: &Points, what: What) -> Outcome {
     let job = Job {
         what,
-        method: subject.method,
-        quantity: subject.quantity,
+        method: under_test.method,
+        quantity: under_test.quantity,
         points,
     };
-    let outcome = subject.backend.with(scene, job)?;
+    let outcome = under_test.backend.with(scene, job)?;
     Ok(outcome.map_err(VerifyError::from)?)
 }
 
@@ -80,8 +78,8 @@ fn reads_all<B: Backend>(mut executor: Executor<'_, B>) -> Result<Broken, Estima
         let read = !unread.cubes.contains(spec);
         broken.case(read, || format!("never read: {spec:?}"));
     }
-    for spec in &needs.light_views {
-        let read = !unread.light_views.contains(spec);
+    for spec in &needs.rsms {
+        let read = !unread.rsms.contains(spec);
         broken.case(read, || format!("never read: {spec:?}"));
     }
     for spec in &needs.directional_depths {
@@ -106,8 +104,8 @@ fn reads_nothing_else<B: Backend>(mut executor: Executor<'_, B>) -> Result<Broke
             let refused = matches!(inputs.cube(spec), Err(EstimatorError::Undeclared(_)));
             broken.case(refused, || format!("could be read: {spec:?}"));
         }
-        for spec in more.light_views.difference(&needs.light_views) {
-            let refused = matches!(inputs.light_view(spec), Err(EstimatorError::Undeclared(_)));
+        for spec in more.rsms.difference(&needs.rsms) {
+            let refused = matches!(inputs.rsm(spec), Err(EstimatorError::Undeclared(_)));
             broken.case(refused, || format!("could be read: {spec:?}"));
         }
         Ok(())
@@ -125,7 +123,7 @@ fn reads_nothing_else<B: Backend>(mut executor: Executor<'_, B>) -> Result<Broke
         });
     }
     let lit = facts.surfaces && facts.lights > 0;
-    broken.case(needs.light_views.is_empty() || lit, || {
+    broken.case(needs.rsms.is_empty() || lit, || {
         "asks for reflective shadow maps where no light or no surface is".into()
     });
     Ok(broken)
@@ -167,11 +165,11 @@ fn more_than(needs: &Needs) -> Needs {
             },
             bounces: 0,
         });
-        more.light_views.insert(LightViewSpec {
+        more.rsms.insert(RsmSpec {
             size: 3,
-            channels: LightViewChannels {
+            channels: RsmChannels {
                 normal,
-                ..LightViewChannels::default()
+                ..RsmChannels::default()
             },
         });
     }

@@ -1,7 +1,7 @@
 //! What points and channels have to do with each other: nothing.
 
 use super::{Broken, Outcome, Rule, Where, same_bits};
-use crate::verify::{Lighting, MethodUnderTest, Nothing, TestBackend, World};
+use crate::verify::{BoxScene, Lighting, MethodUnderTest, Nothing, TestBackend};
 use glam::Vec3;
 use interreflect_cpu::tiles::{Arithmetic, CpuCx, InstructionSet};
 use interreflect_estimators::Quantity;
@@ -14,10 +14,10 @@ pub(super) fn all() -> [Rule; 6] {
         about,
         broken: Where::Scene(broken),
     };
-    let in_world = |name, about, broken| Rule {
+    let in_box_scene = |name, about, broken| Rule {
         name,
         about,
-        broken: Where::World(broken),
+        broken: Where::BoxScene(broken),
     };
     [
         in_scene(
@@ -40,12 +40,12 @@ pub(super) fn all() -> [Rule; 6] {
             "the same bits on any number of threads, any instruction set, and one point at a time",
             threads_and_instructions,
         ),
-        in_world(
+        in_box_scene(
             "channels",
             "colour channels do not affect each other",
             channels,
         ),
-        in_world("dark", "a scene without light gives zero", dark),
+        in_box_scene("dark", "a scene without light gives zero", dark),
     ]
 }
 
@@ -57,8 +57,10 @@ fn compare(broken: &mut Broken, a: &Estimate, b: impl Iterator<Item = Vec3>, wha
     }
 }
 
-fn point_order(subject: &MethodUnderTest<'_>, scene: &Scene, points: &Points) -> Outcome {
-    let needs = subject.method.needs(subject.quantity, &scene.facts())?;
+fn point_order(under_test: &MethodUnderTest<'_>, scene: &Scene, points: &Points) -> Outcome {
+    let needs = under_test
+        .method
+        .needs(under_test.quantity, &scene.facts())?;
     if needs.light_transport {
         let why = "samples of light transport are drawn by a point's place in the list";
         return Err(Nothing::NotApplicable(why.into()));
@@ -66,7 +68,7 @@ fn point_order(subject: &MethodUnderTest<'_>, scene: &Scene, points: &Points) ->
     let mut reversed: Vec<Option<Point>> = points.iter().collect();
     reversed.reverse();
     let lists = [points.clone(), Points::new(points.layout(), reversed)];
-    let estimates = subject.estimates(scene, &lists)?;
+    let estimates = under_test.estimates(scene, &lists)?;
     let mut backward: Vec<Vec3> = estimates[1].iter().collect();
     backward.reverse();
     let mut broken = Broken::default();
@@ -75,11 +77,11 @@ fn point_order(subject: &MethodUnderTest<'_>, scene: &Scene, points: &Points) ->
 }
 
 /// Shorter lists, which end within a group of lanes, at its end and behind it.
-fn points_alone(subject: &MethodUnderTest<'_>, scene: &Scene, points: &Points) -> Outcome {
+fn points_alone(under_test: &MethodUnderTest<'_>, scene: &Scene, points: &Points) -> Outcome {
     let counts = [points.len(), 1, 17, 63, 64, 65, 129];
     let first = |count| Points::new(points.layout(), points.iter().take(count));
     let lists = counts.map(first);
-    let estimates = subject.estimates(scene, &lists)?;
+    let estimates = under_test.estimates(scene, &lists)?;
     let mut broken = Broken::default();
     for fewer in &estimates[1..] {
         let what = format!("{} points", fewer.len());
@@ -88,11 +90,11 @@ fn points_alone(subject: &MethodUnderTest<'_>, scene: &Scene, points: &Points) -
     Ok(broken)
 }
 
-fn no_surface(subject: &MethodUnderTest<'_>, scene: &Scene, points: &Points) -> Outcome {
+fn no_surface(under_test: &MethodUnderTest<'_>, scene: &Scene, points: &Points) -> Outcome {
     let some = points.iter().enumerate();
     let some = some.map(|(i, p)| p.filter(|_| i % 7 != 3));
     let holed = Points::new(points.layout(), some);
-    let estimates = subject.estimates(scene, &[holed])?;
+    let estimates = under_test.estimates(scene, &[holed])?;
     let mut broken = Broken::default();
     for (i, value) in estimates[0].iter().enumerate() {
         let holds = i % 7 != 3 || value == Vec3::ZERO;
@@ -104,17 +106,17 @@ fn no_surface(subject: &MethodUnderTest<'_>, scene: &Scene, points: &Points) -> 
 }
 
 fn threads_and_instructions(
-    subject: &MethodUnderTest<'_>,
+    under_test: &MethodUnderTest<'_>,
     scene: &Scene,
     points: &Points,
 ) -> Outcome {
-    if matches!(subject.backend, TestBackend::Gpu(..)) {
+    if matches!(under_test.backend, TestBackend::Gpu(..)) {
         return Err(Nothing::NotApplicable(
             "GPUs have neither threads nor instruction sets to vary".into(),
         ));
     }
     let lists = std::slice::from_ref(points);
-    let first = subject.estimates(scene, lists)?;
+    let first = under_test.estimates(scene, lists)?;
     let mut broken = Broken::default();
     let available = InstructionSet::all().into_iter();
     for (name, set) in available.filter(|(_, s)| s.available()) {
@@ -124,19 +126,19 @@ fn threads_and_instructions(
             let of = MethodUnderTest {
                 backend: TestBackend::Cpu(&cx),
                 case: None,
-                ..*subject
+                ..*under_test
             };
             let again = of.estimates(scene, lists)?;
             let what = format!("{threads} threads, {name}");
             compare(&mut broken, &first[0], again[0].iter(), &what);
         }
     }
-    if let TestBackend::Cpu(cx) = subject.backend {
+    if let TestBackend::Cpu(cx) = under_test.backend {
         let scalar = cx.with_arithmetic(Arithmetic::Scalar);
         let of = MethodUnderTest {
             backend: TestBackend::Cpu(&scalar),
             case: None,
-            ..*subject
+            ..*under_test
         };
         let again = of.estimates(scene, lists)?;
         compare(&mut broken, &first[0], again[0].iter(), "one at a time");
@@ -145,27 +147,27 @@ fn threads_and_instructions(
 }
 
 /// Walls of three colours against three runs with grey ones.
-fn channels(subject: &MethodUnderTest<'_>, mut world: World) -> Outcome {
-    if world.lighting == Lighting::Sky {
+fn channels(under_test: &MethodUnderTest<'_>, mut box_scene: BoxScene) -> Outcome {
+    if box_scene.lighting == Lighting::Sky {
         return Err(Nothing::NotApplicable("its walls have no colour".into()));
     }
-    let grey = world.walls.map(|w| w.x);
+    let grey = box_scene.walls.map(|w| w.x);
     let colours = [0, 1, 2].map(|c| {
         let mut walls = grey;
         walls.rotate_left(c);
         walls
     });
     let alone = colours.map(|walls| {
-        subject.estimate(&World {
+        under_test.estimate(&BoxScene {
             walls: walls.map(Vec3::splat),
-            ..world.clone()
+            ..box_scene.clone()
         })
     });
     let [r, g, b] = alone;
     let (r, g, b) = (r?, g?, b?);
     let wall = |i: usize| Vec3::from(colours.map(|walls| walls[i]));
-    world.walls = std::array::from_fn(wall);
-    let coloured = subject.estimate(&world)?;
+    box_scene.walls = std::array::from_fn(wall);
+    let coloured = under_test.estimate(&box_scene)?;
     let mut broken = Broken::default();
     for (i, value) in coloured.iter().enumerate() {
         let grey = Vec3::new(r.get(i).x, g.get(i).y, b.get(i).z);
@@ -176,20 +178,21 @@ fn channels(subject: &MethodUnderTest<'_>, mut world: World) -> Outcome {
     Ok(broken)
 }
 
-fn dark(subject: &MethodUnderTest<'_>, world: World) -> Outcome {
-    if subject.quantity == Quantity::AmbientOcclusion {
+fn dark(under_test: &MethodUnderTest<'_>, box_scene: BoxScene) -> Outcome {
+    if under_test.quantity == Quantity::AmbientOcclusion {
         return Err(Nothing::NotApplicable(
             "openness does not depend on light".into(),
         ));
     }
-    let mut scene = world.scene();
+    let mut scene = box_scene.scene();
     for material in &mut scene.materials {
         (material.emission, material.albedo) = (Vec3::ZERO, Vec3::ZERO);
     }
     if let Some(environment) = &mut scene.environment {
         environment.scale = 0.0;
     }
-    let estimates = subject.estimates(&scene, &[world.placed_points(subject.quantity)])?;
+    let estimates =
+        under_test.estimates(&scene, &[box_scene.placed_points(under_test.quantity)])?;
     let mut broken = Broken::default();
     for (i, value) in estimates[0].iter().enumerate() {
         broken.case(value == Vec3::ZERO, || format!("point {i} gets {value}"));

@@ -2,7 +2,7 @@
 
 use super::{Feed, centre, environment, filtered, lobes, mirrors, sphere, texels, under};
 use crate::ensure;
-use crate::world::Outcome;
+use crate::variants::Outcome;
 use glam::{DVec3, Vec3};
 use interreflect_estimators::Quantity;
 use interreflect_scene::CubeImage;

@@ -2,7 +2,7 @@
 
 use super::{Feed, environment, lobes, mirrors, sphere, under};
 use crate::ensure;
-use crate::world::Outcome;
+use crate::variants::Outcome;
 use glam::Vec3;
 use interreflect_estimators::Quantity;
 use interreflect_scene::{Estimate, Point};

@@ -3,8 +3,8 @@
 use super::scenes::{add, cpu, directions, glowing, places, turned, under, walls};
 use super::{IRRADIANCE, exactly, hold};
 use crate::room_points::ROOM;
-use crate::subjects::{ROOM_RADIANCES, box_with, inside, points_file};
-use crate::world::Outcome;
+use crate::test_scenes::{ROOM_RADIANCES, box_with, inside, points_file};
+use crate::variants::Outcome;
 use glam::{DVec3, Vec3};
 use interreflect_conformance::oracles::form_factors::{furnace_radiance, integrating_sphere};
 use interreflect_conformance::statistics::Scores;
@@ -140,8 +140,8 @@ fn rooms_in_rooms() -> Outcome {
 /// The exact irradiances of `room.csv`.
 fn room() -> Outcome {
     let room = &*ROOM;
-    let subject = box_with(ROOM_RADIANCES, Vec::new());
-    let traced = IRRADIANCE.trace(&subject.cpu, &room.points);
+    let test_scene = box_with(ROOM_RADIANCES, Vec::new());
+    let traced = IRRADIANCE.trace(&test_scene.cpu, &room.points);
     let exact = room.column("E_exact")?;
     hold(Scores::against(&traced, |i| exact[i]), 0.01)
 }

@@ -5,7 +5,7 @@ use super::scenes::{
 };
 use super::{IRRADIANCE, hold};
 use crate::ensure;
-use crate::world::Outcome;
+use crate::variants::Outcome;
 use glam::{DVec3, Vec3};
 use interreflect_conformance::oracles::form_factors::{
     CUBE_ADJACENT, CUBE_OPPOSITE, coaxial_disc, coaxial_discs, offset_disc, parallel_rectangle,

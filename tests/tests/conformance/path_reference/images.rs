@@ -3,8 +3,8 @@
 use super::scenes::cpu;
 use super::{Ask, IRRADIANCE, hold};
 use crate::ensure;
-use crate::subjects::{SUBJECTS, Subject};
-use crate::world::Outcome;
+use crate::test_scenes::{TEST_SCENES, TestScene};
+use crate::variants::Outcome;
 use glam::{DVec3, Vec3};
 use interreflect_conformance::statistics::{Disagreement, Scores};
 use interreflect_cpu::path_tracer::{PathQuantity, Traced};
@@ -19,17 +19,17 @@ pub(super) const QUANTITIES: [(&str, PathQuantity); 2] = [
 
 pub(super) fn trials() -> Vec<Trial> {
     let mut trials = Vec::new();
-    for subject in &SUBJECTS[..3] {
+    for test_scene in &TEST_SCENES[..3] {
         for (name, quantity) in QUANTITIES {
             let ask = Ask {
                 quantity,
                 ..IRRADIANCE
             };
-            let name = format!("path_reference/two_seeds/{}/{name}", subject.name);
-            trials.push(Trial::test(name, move || two_seeds(subject, ask)));
+            let name = format!("path_reference/two_seeds/{}/{name}", test_scene.name);
+            trials.push(Trial::test(name, move || two_seeds(test_scene, ask)));
         }
-        let name = format!("path_reference/sources_add_up/{}", subject.name);
-        trials.push(Trial::test(name, move || sources_add_up(subject)));
+        let name = format!("path_reference/sources_add_up/{}", test_scene.name);
+        trials.push(Trial::test(name, move || sources_add_up(test_scene)));
     }
     for (name, test) in [
         ("through_surfaces", through_surfaces as fn() -> Outcome),
@@ -41,15 +41,15 @@ pub(super) fn trials() -> Vec<Trial> {
 }
 
 /// Different seeds and different numbers of samples.
-fn two_seeds(subject: &Subject, ask: Ask) -> Outcome {
-    let points = subject.points(PointLayout::Material);
-    let first = ask.trace(&subject.cpu, &points);
+fn two_seeds(test_scene: &TestScene, ask: Ask) -> Outcome {
+    let points = test_scene.points(PointLayout::Material);
+    let first = ask.trace(&test_scene.cpu, &points);
     let fewer = Ask {
         samples: ask.samples / 4,
         ..ask.seeded(3)
     };
     for other in [ask.seeded(2), fewer] {
-        let other = other.trace(&subject.cpu, &points);
+        let other = other.trace(&test_scene.cpu, &points);
         hold(Scores::between(&first, &other), 0.1)?;
     }
     Ok(())
@@ -61,17 +61,17 @@ fn through_surfaces() -> Outcome {
         indirect_visibility: false,
         ..LightPaths::ALL
     });
-    let subject = &*SUBJECTS[0];
-    let points = subject.points(PointLayout::Material);
-    let [a, b] = [1, 2].map(|seed| through.seeded(seed).trace(&subject.cpu, &points));
+    let test_scene = &*TEST_SCENES[0];
+    let points = test_scene.points(PointLayout::Material);
+    let [a, b] = [1, 2].map(|seed| through.seeded(seed).trace(&test_scene.cpu, &points));
     hold(Scores::between(&a, &b), 0.08)
 }
 
 /// Light of each kind of source alone, traced in scenes of their own with sources drawn otherwise,
 /// adds up to the whole.
-fn sources_add_up(subject: &Subject) -> Outcome {
-    let points = subject.points(PointLayout::Material);
-    let whole = IRRADIANCE.trace(&subject.cpu, &points);
+fn sources_add_up(test_scene: &TestScene) -> Outcome {
+    let points = test_scene.points(PointLayout::Material);
+    let whole = IRRADIANCE.trace(&test_scene.cpu, &points);
     let cuts: [fn(&mut Scene); 3] = [
         |scene| scene.lights.clear(),
         |scene| scene.environment = None,
@@ -83,7 +83,7 @@ fn sources_add_up(subject: &Subject) -> Outcome {
         },
     ];
     let parts = (0..cuts.len()).map(|kept| {
-        let mut scene = subject.cpu.scene().clone();
+        let mut scene = test_scene.cpu.scene().clone();
         let cut = (0..cuts.len()).filter(|&other| other != kept);
         cut.for_each(|other| cuts[other](&mut scene));
         IRRADIANCE
@@ -99,13 +99,13 @@ fn sources_add_up(subject: &Subject) -> Outcome {
 /// What the trials above can see: an image that is right passes, one that is off by a few errors
 /// everywhere does not, nor one that is off by 1 % where errors are small.
 fn wrong_images() -> Outcome {
-    let subject = &*SUBJECTS[0];
-    let points = subject.points(PointLayout::Material);
+    let test_scene = &*TEST_SCENES[0];
+    let points = test_scene.points(PointLayout::Material);
     let ask = Ask {
         samples: 2048,
         ..IRRADIANCE
     };
-    let [a, b] = [1, 2].map(|seed| ask.seeded(seed).trace(&subject.cpu, &points));
+    let [a, b] = [1, 2].map(|seed| ask.seeded(seed).trace(&test_scene.cpu, &points));
     hold(Scores::between(&a, &b), 0.03)?;
     type Wrong = (&'static str, fn(Vec3, Vec3) -> Vec3);
     let wrong: [Wrong; 4] = [

@@ -3,7 +3,7 @@
 use super::scenes::{cpu, directions, glowing, moved, only, places, polygon, under};
 use super::{Ask, IRRADIANCE, hold};
 use crate::ensure;
-use crate::world::Outcome;
+use crate::variants::Outcome;
 use glam::{DVec3, Vec3};
 use interreflect_conformance::oracles::form_factors::{
     openness_beside_half_space, openness_beside_sphere, openness_beside_wall, openness_in_pit,

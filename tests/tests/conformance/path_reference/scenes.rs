@@ -1,6 +1,6 @@
 //! Scenes whose light is known, and places in them.
 
-use crate::subjects::room;
+use crate::test_scenes::room;
 use glam::Vec3;
 use interreflect_cpu::scene::CpuScene;
 use interreflect_scene::{

@@ -4,8 +4,8 @@ use super::images::QUANTITIES;
 use super::scenes::{cpu, glowing};
 use super::{Ask, IRRADIANCE, hold};
 use crate::ensure;
-use crate::subjects::{SUBJECTS, Subject};
-use crate::world::Outcome;
+use crate::test_scenes::{TEST_SCENES, TestScene};
+use crate::variants::Outcome;
 use glam::{DVec3, Vec3};
 use interreflect_conformance::statistics::Scores;
 use interreflect_cpu::path_tracer::Traced;
@@ -14,20 +14,23 @@ use interreflect_scene::{LightPaths, Material, Point, PointLayout, Points, Role,
 use libtest_mimic::Trial;
 use std::sync::LazyLock;
 
-static CAVE: LazyLock<Subject> = LazyLock::new(|| Subject::library("cave", &[]));
+static CAVE: LazyLock<TestScene> = LazyLock::new(|| TestScene::library("cave", &[]));
 
 pub(super) fn trials() -> Vec<Trial> {
     let mut trials = Vec::new();
-    let [colored_room, cornell_box, ..] = &SUBJECTS;
-    for subject in [colored_room, cornell_box, &CAVE] {
+    let [colored_room, cornell_box, ..] = &TEST_SCENES;
+    for test_scene in [colored_room, cornell_box, &CAVE] {
         for (name, quantity) in QUANTITIES {
             let ask = Ask {
                 quantity,
                 samples: 256,
                 ..IRRADIANCE
             };
-            let name = format!("path_reference/reflections_add_up/{}/{name}", subject.name);
-            trials.push(Trial::test(name, move || reflections(subject, ask)));
+            let name = format!(
+                "path_reference/reflections_add_up/{}/{name}",
+                test_scene.name
+            );
+            trials.push(Trial::test(name, move || reflections(test_scene, ask)));
         }
     }
     for (name, test) in [
@@ -51,8 +54,8 @@ fn reflections_of(least_bounces: u32, bounces: u32) -> LightPaths {
 }
 
 /// The scene with surfaces that only emit: what arrives without any reflection.
-fn unreflected(subject: &Subject) -> CpuScene {
-    let mut scene = subject.cpu.scene().clone();
+fn unreflected(test_scene: &TestScene) -> CpuScene {
+    let mut scene = test_scene.cpu.scene().clone();
     for material in &mut scene.materials {
         *material = Material::emitter(material.emission);
     }
@@ -71,15 +74,15 @@ fn near(a: Vec3, b: Vec3, scale: f32, point: usize) -> Outcome {
 
 /// None, one, two, and three or more: with seeds of their own by their errors, and with the same seed,
 /// which gives the same paths, but for rounding.
-fn reflections(subject: &Subject, ask: Ask) -> Outcome {
-    let points = subject.points(PointLayout::Material);
-    let black = unreflected(subject);
+fn reflections(test_scene: &TestScene, ask: Ask) -> Outcome {
+    let points = test_scene.points(PointLayout::Material);
+    let black = unreflected(test_scene);
     let parts = |seed: &dyn Fn(u64) -> u64| -> Vec<Traced> {
         let of = |part: u64, scene: &CpuScene, least, most| {
             let ask = ask.seeded(seed(part)).of(reflections_of(least, most));
             ask.trace(scene, &points)
         };
-        let scene = &*subject.cpu;
+        let scene = &*test_scene.cpu;
         vec![
             of(0, &black, 0, 0),
             of(1, scene, 1, 1),
@@ -87,7 +90,7 @@ fn reflections(subject: &Subject, ask: Ask) -> Outcome {
             of(3, scene, 3, 0),
         ]
     };
-    let whole = ask.trace(&subject.cpu, &points);
+    let whole = ask.trace(&test_scene.cpu, &points);
     let apart = parts(&|part| 10 + part);
     let mut terms = vec![(1.0, &whole)];
     terms.extend(apart.iter().map(|part| (-1.0, part)));
@@ -109,17 +112,17 @@ fn reflections(subject: &Subject, ask: Ask) -> Outcome {
 
 /// Without self-shadowing it is as if the receivers were not there.
 fn absent_receivers() -> Outcome {
-    let subject = &*SUBJECTS[0];
-    let points = subject.points(PointLayout::Material);
-    let mut scene = subject.cpu.scene().clone();
+    let test_scene = &*TEST_SCENES[0];
+    let points = test_scene.points(PointLayout::Material);
+    let mut scene = test_scene.cpu.scene().clone();
     scene.objects.retain(|o| o.role == Role::Environment);
     let bare = cpu(&scene);
     let absent = LightPaths {
         self_shadowing: false,
         ..LightPaths::ALL
     };
-    let whole = IRRADIANCE.trace(&subject.cpu, &points);
-    let traced = IRRADIANCE.of(absent).trace(&subject.cpu, &points);
+    let whole = IRRADIANCE.trace(&test_scene.cpu, &points);
+    let traced = IRRADIANCE.of(absent).trace(&test_scene.cpu, &points);
     let same = IRRADIANCE.trace(&bare, &points);
     for (i, (a, b)) in traced.mean.iter().zip(same.mean.iter()).enumerate() {
         near(a, b, a.max_element(), i)?;
@@ -133,7 +136,7 @@ fn absent_receivers() -> Outcome {
 
 /// The coloured room with surfaces that only emit, each its own radiance.
 fn glowing_room() -> Scene {
-    let mut scene = SUBJECTS[0].cpu.scene().clone();
+    let mut scene = TEST_SCENES[0].cpu.scene().clone();
     scene.lights.clear();
     scene.environment = None;
     for (i, material) in scene.materials.iter_mut().enumerate() {
@@ -150,7 +153,7 @@ fn layers() -> Outcome {
         normal: -p.normal,
         ..p
     };
-    let points = SUBJECTS[0].points(PointLayout::Material);
+    let points = TEST_SCENES[0].points(PointLayout::Material);
     let before = points.iter().map(|point| point.map(before));
     let points = Points::new(PointLayout::Material, before);
     let through = IRRADIANCE.of(LightPaths {
@@ -176,7 +179,7 @@ fn layers() -> Outcome {
 /// Surroundings at infinity look from everywhere as the walls do from the reference point, which lies
 /// inside a receiver.
 fn at_infinity() -> Outcome {
-    let points = SUBJECTS[0].points(PointLayout::Material);
+    let points = TEST_SCENES[0].points(PointLayout::Material);
     let scene = cpu(&glowing_room());
     let position = scene.scene().reference_point;
     let moved = (points.iter()).map(|point| point.map(|p| Point { position, ..p }));

@@ -2,7 +2,7 @@
 
 use super::scenes::{cpu, directions, glowing, only, places, under, walls};
 use super::{Ask, IRRADIANCE, exactly, hold};
-use crate::world::Outcome;
+use crate::variants::Outcome;
 use glam::{DVec3, Vec3};
 use interreflect_conformance::oracles::skies::{hemispherical_sky, linear_sky, quadratic_sky};
 use interreflect_conformance::statistics::Scores;

@@ -3,8 +3,10 @@
 use super::{CAPTURED, OF_A_TERM, sum_of, texels};
 use crate::ensure;
 use crate::parity::captures_apart;
-use crate::subjects::{SUBJECTS, Subject};
-use crate::world::{Outcome, Variant, captures, cpu_scene, gpu_scene, ignored, on_gpu, variants};
+use crate::test_scenes::{TEST_SCENES, TestScene};
+use crate::variants::{
+    Outcome, Variant, captures, cpu_scene, gpu_scene, ignored, on_gpu, variants,
+};
 use glam::Vec3;
 use interreflect::clock::Sampling;
 use interreflect::image::HdrImage;
@@ -25,24 +27,30 @@ pub(crate) fn trials() -> Vec<Trial> {
 /// In the first library scene that the method can run in, and that is open where openness is shown.
 fn trial(variant: Variant) -> Trial {
     let name = format!("precision_parity/images/{}", variant.name());
-    let runs = |s: &&LazyLock<Subject>| {
+    let runs = |s: &&LazyLock<TestScene>| {
         let open = s.cpu.scene().environment.is_some();
         let shows = open || variant.quantity != Quantity::AmbientOcclusion;
         shows && variant.unsupported(s).is_none() && variant.runs_in(s)
     };
-    match SUBJECTS[..3].iter().find(runs) {
-        Some(subject) => on_gpu(name, move |context| same_image(context, subject, &variant)),
+    match TEST_SCENES[..3].iter().find(runs) {
+        Some(test_scene) => on_gpu(name, move |context| {
+            same_image(context, test_scene, &variant)
+        }),
         None => ignored(name, "no library scene on both backends"),
     }
 }
 
-fn same_image(context: &Arc<GpuContext>, subject: &'static Subject, variant: &Variant) -> Outcome {
+fn same_image(
+    context: &Arc<GpuContext>,
+    test_scene: &'static TestScene,
+    variant: &Variant,
+) -> Outcome {
     let camera = Camera {
         resolution: [96, 72],
-        ..subject.cpu.scene().camera
+        ..test_scene.cpu.scene().camera
     };
-    let view = View::new(&subject.cpu, &camera)?;
-    let (cpu, gpu) = (cpu_scene(subject), gpu_scene(context, subject)?);
+    let view = View::new(&test_scene.cpu, &camera)?;
+    let (cpu, gpu) = (cpu_scene(test_scene), gpu_scene(context, test_scene)?);
     let by_cpu = image(&cpu, variant, &view)?;
     let by_gpu = image(&gpu, variant, &view)?;
     let bound = Bound::of(variant, &cpu, (&gpu, context))?;
@@ -58,7 +66,7 @@ fn same_image(context: &Arc<GpuContext>, subject: &'static Subject, variant: &Va
         "{} in {}: pixels differ by {largest:.1e} of the brightest at most, {mean:.1e} of the mean on \
          average",
         variant.name(),
-        subject.name
+        test_scene.name
     );
     let brightest_over_mean = brightest * by_cpu.pixels.len() as f64 / total;
     ensure!(

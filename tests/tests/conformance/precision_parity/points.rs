@@ -2,8 +2,8 @@
 
 use super::{CAPTURED, OF_A_TERM, sum_of, texels};
 use crate::ensure;
-use crate::subjects::{SUBJECTS, Subject, same_bits};
-use crate::world::{
+use crate::test_scenes::{TEST_SCENES, TestScene, same_bits};
+use crate::variants::{
     Outcome, Variant, captures, cpu_scene, estimate, gpu_scene, ignored, on_gpu, switched, variants,
 };
 use interreflect_conformance::exchange::uploaded;
@@ -33,33 +33,33 @@ pub(crate) fn trials() -> Vec<Trial> {
     trials
 }
 
-/// In the first subject that the method can run in, and that is open where openness is asked for.
+/// In the first test scene that the method can run in, and that is open where openness is asked for.
 fn trial(name: String, variant: Variant) -> Trial {
-    let runs = |s: &&LazyLock<Subject>| {
+    let runs = |s: &&LazyLock<TestScene>| {
         let open = s.cpu.scene().environment.is_some();
         let shows = open || variant.quantity != Quantity::AmbientOcclusion;
         shows && variant.unsupported(s).is_none() && variant.runs_in(s)
     };
-    match SUBJECTS.iter().find(runs) {
-        Some(subject) => on_gpu(name, move |context| climb(context, subject, &variant)),
-        None => ignored(name, "no subject on both backends"),
+    match TEST_SCENES.iter().find(runs) {
+        Some(test_scene) => on_gpu(name, move |context| climb(context, test_scene, &variant)),
+        None => ignored(name, "no test scene on both backends"),
     }
 }
 
 /// Relative error of the power of a lobe.
 const LOBE: f64 = 1e-5;
 
-fn climb(context: &Arc<GpuContext>, subject: &'static Subject, variant: &Variant) -> Outcome {
-    let points = subject.points(variant.quantity.layout());
-    let captured = captures(&cpu_scene(subject), variant)?;
-    let [exact, scalar, lanes] = in_each_arithmetic(subject, variant, &captured, &points)?;
+fn climb(context: &Arc<GpuContext>, test_scene: &'static TestScene, variant: &Variant) -> Outcome {
+    let points = test_scene.points(variant.quantity.layout());
+    let captured = captures(&cpu_scene(test_scene), variant)?;
+    let [exact, scalar, lanes] = in_each_arithmetic(test_scene, variant, &captured, &points)?;
     let to_scalar = climbed(&exact, &scalar, &shading(variant))
         .map_err(|e| format!("float64 to scalar: {e}"))?;
     same_bits(&scalar, lanes.iter()).map_err(|e| format!("scalar to lanes: {e}"))?;
     let to_device = match captured.depths.is_empty() {
         true => {
             let given = Rc::new(uploaded(context, &captured)?);
-            let gpu = gpu_scene(context, subject)?;
+            let gpu = gpu_scene(context, test_scene)?;
             let on_device = estimate(&gpu, variant, &given, &points)?;
             let largest = climbed(&exact, &on_device, &prepared(variant, &captured))
                 .map_err(|e| format!("float64 to device: {e}"))?;
@@ -77,12 +77,12 @@ fn climb(context: &Arc<GpuContext>, subject: &'static Subject, variant: &Variant
 
 /// Prepared once, shaded in float64, one f32 at a time and in sixteen lanes.
 fn in_each_arithmetic(
-    subject: &'static Subject,
+    test_scene: &'static TestScene,
     variant: &Variant,
     captures: &Rc<Captures<Cpu>>,
     points: &Points,
 ) -> Result<[Estimate; 3], Failed> {
-    let loaded = cpu_scene(subject);
+    let loaded = cpu_scene(test_scene);
     let mut executor = variant.executor(&loaded, points)?;
     executor.set_captures(captures.clone());
     executor.prepare(Changed::ALL)?;

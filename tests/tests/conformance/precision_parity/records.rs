@@ -2,8 +2,8 @@
 
 use super::CAPTURED;
 use crate::ensure;
-use crate::subjects::{SUBJECTS, Subject};
-use crate::world::{CPU, Outcome, Variant, cpu_scene, ignored, on_gpu, switched, variants};
+use crate::test_scenes::{TEST_SCENES, TestScene};
+use crate::variants::{CPU, Outcome, Variant, cpu_scene, ignored, on_gpu, switched, variants};
 use interreflect_conformance::verify::parity::record_parity;
 use interreflect_conformance::verify::{MethodUnderTest, TestBackend};
 use interreflect_estimators::Quantity;
@@ -39,13 +39,13 @@ pub(crate) fn trials() -> Vec<Trial> {
             "precision_parity/records/{id}{}{setting}",
             fidelity.unwrap_or_default()
         );
-        match SUBJECTS.iter().find(|s| why_not(&variant, s).is_none()) {
-            Some(subject) => {
+        match TEST_SCENES.iter().find(|s| why_not(&variant, s).is_none()) {
+            Some(test_scene) => {
                 trials.push(on_gpu(name, move |context| {
-                    compare(context, subject, &variant)
+                    compare(context, test_scene, &variant)
                 }));
             }
-            None => trials.push(ignored(name, "no subject on both backends")),
+            None => trials.push(ignored(name, "no test scene on both backends")),
         }
     }
     trials
@@ -53,18 +53,22 @@ pub(crate) fn trials() -> Vec<Trial> {
 
 /// Why a method's records can't be compared in a scene: it does not run there on both backends, or it
 /// makes depth maps while it prepares, each backend its own.
-fn why_not(variant: &Variant, subject: &Subject) -> Option<String> {
-    let facts = subject.cpu.scene().facts();
+fn why_not(variant: &Variant, test_scene: &TestScene) -> Option<String> {
+    let facts = test_scene.cpu.scene().facts();
     let own_maps = match variant.method.needs(variant.quantity, &facts) {
         Ok(needs) => (!needs.directional_depths.is_empty()).then(|| "depth maps".to_owned()),
         Err(_) => None,
     };
     own_maps
-        .or_else(|| variant.unsupported(subject))
-        .or_else(|| variant.unsupported_on_gpu(subject))
+        .or_else(|| variant.unsupported(test_scene))
+        .or_else(|| variant.unsupported_on_gpu(test_scene))
 }
 
-fn compare(context: &Arc<GpuContext>, subject: &'static Subject, variant: &Variant) -> Outcome {
+fn compare(
+    context: &Arc<GpuContext>,
+    test_scene: &'static TestScene,
+    variant: &Variant,
+) -> Outcome {
     let of = MethodUnderTest {
         backend: TestBackend::Gpu(&CPU, context),
         method: &*variant.method,
@@ -73,8 +77,8 @@ fn compare(context: &Arc<GpuContext>, subject: &'static Subject, variant: &Varia
         seed: 1,
         case: None,
     };
-    let loaded = LoadedScene::of(cpu_scene(subject)).with_gpu(context)?;
-    let points = subject.points(variant.quantity.layout());
+    let loaded = LoadedScene::of(cpu_scene(test_scene)).with_gpu(context)?;
+    let points = test_scene.points(variant.quantity.layout());
     let apart = record_parity(&of, context, &loaded, &points)?;
     println!(
         "{}: {:.2} of what it may be, {}",

@@ -2,19 +2,18 @@
 
 use crate::ensure;
 use crate::parity_views::views_apart;
-use crate::subjects::{SUBJECTS, Subject, room};
-use crate::world::{Outcome, cpu_scene, on_both, on_gpu};
+use crate::test_scenes::{TEST_SCENES, TestScene, room};
+use crate::variants::{Outcome, cpu_scene, on_both, on_gpu};
 use glam::Vec3;
-use interreflect_cpu::capture::light_view::capture_light_views as by_rays;
+use interreflect_cpu::capture::rsm::capture_rsms as by_rays;
 use interreflect_cpu::scene::CpuScene;
 use interreflect_estimators::Tolerance;
 use interreflect_estimators::execution::BackendScene;
-use interreflect_gpu::{GpuContext, GpuScene, capture_light_views};
-use interreflect_scene::light_view::MAX_MIRRORS;
+use interreflect_gpu::{GpuContext, GpuScene, capture_rsms};
+use interreflect_scene::rsm::MAX_MIRRORS;
 use interreflect_scene::shapes;
 use interreflect_scene::{
-    Light, LightViewChannels, LightViewImage, LightViewSpec, Material, Mesh, Object, Point, Role,
-    Scene, SpotShape,
+    Light, Material, Mesh, Object, Point, Role, RsmChannels, RsmImage, RsmSpec, Scene, SpotShape,
 };
 use libtest_mimic::{Failed, Trial};
 use std::f64::consts::PI;
@@ -69,7 +68,7 @@ fn spot(x: f32, direction: Vec3, intensity: f32) -> Light {
 }
 
 /// A wall at x = −2 and these objects, with points before it.
-fn before_the_wall(objects: Vec<Object>, light: Light) -> Subject {
+fn before_the_wall(objects: Vec<Object>, light: Light) -> TestScene {
     let mut scene: Scene = room([0.0; 6], Vec3::ZERO);
     scene.objects = objects;
     scene.objects.push(quad(-2.0, 4.0, 0));
@@ -90,19 +89,19 @@ fn before_the_wall(objects: Vec<Object>, light: Light) -> Subject {
         })
     };
     let points = vec![at(-1.0, 0.0, 0.0), at(0.3, 0.2, 0.1), at(-1.9, 0.5, -0.7)];
-    Subject::new("before-the-wall", &scene, points)
+    TestScene::new("before-the-wall", &scene, points)
 }
 
 /// A spot at the origin that shines away from the wall, on a mirror at x = 1.
-static BEFORE_A_MIRROR: LazyLock<Subject> =
+static BEFORE_A_MIRROR: LazyLock<TestScene> =
     LazyLock::new(|| before_the_wall(vec![quad(1.0, 2.0, 1)], spot(0.0, Vec3::X, INTENSITY)));
 
 /// The same light where the mirror shows it, dimmed by the mirror, and no mirror.
-static MIRRORED_LIGHT: LazyLock<Subject> =
+static MIRRORED_LIGHT: LazyLock<TestScene> =
     LazyLock::new(|| before_the_wall(Vec::new(), spot(2.0, Vec3::NEG_X, INTENSITY * REFLECTANCE)));
 
 /// A mirror counts what the light behind it would; with one sample that is computed by hand.
-fn plane_mirror<S: BackendScene>(loaded: &S, subject: &Subject) -> Outcome {
+fn plane_mirror<S: BackendScene>(loaded: &S, test_scene: &TestScene) -> Outcome {
     let rounding = Tolerance {
         absolute: 1e-7,
         relative: 1e-5,
@@ -116,7 +115,7 @@ fn plane_mirror<S: BackendScene>(loaded: &S, subject: &Subject) -> Outcome {
     ] {
         // A mirror reverses the order of texels: the samples' must be the same from both ends.
         let settings = &[settings, &[("map_resolution", "15")]].concat()[..];
-        let mirrored = super::shaded(loaded, subject, settings)?;
+        let mirrored = super::shaded(loaded, test_scene, settings)?;
         let direct = super::shaded(&cpu_scene(&MIRRORED_LIGHT), &MIRRORED_LIGHT, settings)?;
         ensure!(super::total(&direct) > 0.0, "{settings:?}: no light");
         super::same(&direct, &mirrored, &rounding).map_err(|e| format!("{settings:?}: {e}"))?;
@@ -124,7 +123,7 @@ fn plane_mirror<S: BackendScene>(loaded: &S, subject: &Subject) -> Outcome {
     let settings = [("fidelity", "corrected"), ("samples_per_side", "1")];
     // An odd number of texels has one in the middle.
     let settings = [&settings[..], &[("map_resolution", "3")]].concat();
-    let estimate = super::shaded(loaded, subject, &settings)?;
+    let estimate = super::shaded(loaded, test_scene, &settings)?;
     // From the light to the mirror 1 m, to the wall 3 m; from the wall to the point 1 m.
     let (b, r) = (4.0_f64, 1.0_f64);
     let half = (20.0_f64).to_radians().tan();
@@ -138,12 +137,12 @@ fn plane_mirror<S: BackendScene>(loaded: &S, subject: &Subject) -> Outcome {
 /// Two mirrors that face each other send a ray to and fro: after [`MAX_MIRRORS`] it is given up.
 fn mirrors_end() -> Outcome {
     let light = spot(0.0, Vec3::X, INTENSITY);
-    let subject = before_the_wall(vec![quad(1.0, 2.0, 1), quad(-1.0, 9.0, 1)], light);
-    let spec = LightViewSpec {
+    let test_scene = before_the_wall(vec![quad(1.0, 2.0, 1), quad(-1.0, 9.0, 1)], light);
+    let spec = RsmSpec {
         size: 3,
-        channels: LightViewChannels::default(),
+        channels: RsmChannels::default(),
     };
-    let views = by_rays(&subject.cpu, spec);
+    let views = by_rays(&test_scene.cpu, spec);
     // The middle ray never leaves.
     ensure!(
         views.path_m[4] == 0.0,
@@ -153,7 +152,7 @@ fn mirrors_end() -> Outcome {
     Ok(())
 }
 
-const ALL_CHANNELS: LightViewChannels = LightViewChannels {
+const ALL_CHANNELS: RsmChannels = RsmChannels {
     radiance: true,
     normal: true,
     true_colors: true,
@@ -168,13 +167,13 @@ fn views_agree(context: &Arc<GpuContext>) -> Outcome {
         ..Material::diffuse(Vec3::ZERO)
     };
     let with_mirror = |change: &dyn Fn(&mut Scene, u32)| {
-        let mut scene = SUBJECTS[1].cpu.scene().clone();
+        let mut scene = TEST_SCENES[1].cpu.scene().clone();
         scene.materials.push(mirror);
         let index = scene.materials.len() as u32 - 1;
         change(&mut scene, index);
         scene
     };
-    let plain = SUBJECTS[1].cpu.scene().clone();
+    let plain = TEST_SCENES[1].cpu.scene().clone();
     let blocks = with_mirror(&|scene, mirror| {
         let inner = scene.objects.len() - 1;
         for object in &mut scene.objects[inner / 2..] {
@@ -193,7 +192,7 @@ fn views_agree(context: &Arc<GpuContext>) -> Outcome {
             mesh,
         });
     });
-    let all = Subject::new("lit-box", super::LIT[4].cpu.scene(), Vec::new());
+    let all = TestScene::new("lit-box", super::LIT[4].cpu.scene(), Vec::new());
     let scenes = [
         ("cornell box", &plain),
         ("mirrors", &blocks),
@@ -201,15 +200,14 @@ fn views_agree(context: &Arc<GpuContext>) -> Outcome {
         ("all lights", all.cpu.scene()),
     ];
     for (name, scene) in scenes {
-        let spec = LightViewSpec {
+        let spec = RsmSpec {
             size: 64,
             channels: ALL_CHANNELS,
         };
         let ours = by_rays(&CpuScene::new(scene)?, spec);
         let on_device = GpuScene::new(context, scene)?;
-        let (view, _) =
-            context.record("capture", |cx| capture_light_views(cx, &on_device, spec))?;
-        let theirs: LightViewImage = view.download(context)?;
+        let (view, _) = context.record("capture", |cx| capture_rsms(cx, &on_device, spec))?;
+        let theirs: RsmImage = view.download(context)?;
         let photons = ours.path_m.iter().filter(|b| **b > 0.0).count();
         ensure!(photons > ours.texels() / 8, "{name}: {photons} photons");
         views_apart(&ours, &theirs)

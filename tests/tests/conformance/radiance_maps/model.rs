@@ -1,8 +1,8 @@
 //! The corrected form converges to the method's own model, in a box with shiny walls and a mirror.
 
 use crate::ensure;
-use crate::subjects::{Subject, inside};
-use crate::world::{CPU, Outcome, configured, cpu_scene, run};
+use crate::test_scenes::{TestScene, inside};
+use crate::variants::{CPU, Outcome, configured, cpu_scene, run};
 use glam::{DVec3, Vec3};
 use interreflect_conformance::own_model::{ModelValues, evaluate};
 use interreflect_cpu::path_tracer::Stop;
@@ -31,7 +31,7 @@ const NO_SAMPLES: Stop = Stop {
 };
 
 /// The open box with walls that shine, its −x wall a mirror, and these lights.
-fn shiny_box(lights: &[Light]) -> Subject {
+fn shiny_box(lights: &[Light]) -> TestScene {
     let plain = super::lit_box(lights, inside(100));
     let mut scene = plain.cpu.scene().clone();
     for material in &mut scene.materials {
@@ -44,7 +44,7 @@ fn shiny_box(lights: &[Light]) -> Subject {
         specular: Vec3::splat(0.9),
         ..Material::diffuse(Vec3::ZERO)
     };
-    Subject::new("shiny-box", &scene, inside(100))
+    TestScene::new("shiny-box", &scene, inside(100))
 }
 
 /// Root mean square of a difference, relative to the model's.
@@ -57,8 +57,8 @@ fn apart(model: &Estimate, other: impl Iterator<Item = Vec3>) -> f64 {
 /// The rms error falls as samples grow: 12, 1.2, 0.2 %. The model's own patches are cut by the box's
 /// edges, which is what it is sure to.
 fn converges(surface: &str, quantity: Quantity) -> Outcome {
-    let subject = shiny_box(&super::LIGHTS);
-    let points = subject.points(quantity.layout());
+    let test_scene = shiny_box(&super::LIGHTS);
+    let points = test_scene.points(quantity.layout());
     let mut errors = Vec::new();
     for n in ["4", "16", "64"] {
         let settings = [
@@ -72,13 +72,13 @@ fn converges(surface: &str, quantity: Quantity) -> Outcome {
             &CPU,
             variant.method.model(quantity),
             quantity,
-            &subject.cpu,
+            &test_scene.cpu,
             &points,
             &NO_SAMPLES,
             0,
         );
         let sure = apart(&values, values.iter().zip(error.iter()).map(|(v, e)| v + e));
-        let estimate = run(&cpu_scene(&subject), &variant, &points)?;
+        let estimate = run(&cpu_scene(&test_scene), &variant, &points)?;
         let found = apart(&values, estimate.iter());
         println!("N = {n}: {found:.4} from the model, which is sure to {sure:.4}");
         ensure!(sure < 0.01, "the model is sure to {sure} only");

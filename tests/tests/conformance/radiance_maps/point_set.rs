@@ -1,15 +1,13 @@
 //! What each solid angle gives in float64 in the box of `tests/points/drm.toml`.
 
 use crate::ensure;
-use crate::subjects::{Subject, points_file};
-use crate::world::{Outcome, cpu_scene, gpu_scene, on_gpu};
+use crate::test_scenes::{TestScene, points_file};
+use crate::variants::{Outcome, cpu_scene, gpu_scene, on_gpu};
 use glam::DVec3;
 use interreflect_estimators::Tolerance;
 use interreflect_estimators::execution::BackendScene;
 use interreflect_scene::conventions::texel_centre;
-use interreflect_scene::{
-    Light, LightViewChannels, LightViewImage, LightViewSpec, Needs, Point, SceneRequest, open,
-};
+use interreflect_scene::{Light, Needs, Point, RsmChannels, RsmImage, RsmSpec, SceneRequest, open};
 use libtest_mimic::{Failed, Trial};
 use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -19,7 +17,7 @@ use std::sync::LazyLock;
 struct PointSet {
     columns: BTreeMap<String, Vec<f64>>,
     points: Vec<(DVec3, DVec3)>,
-    subject: Subject,
+    test_scene: TestScene,
     light: DVec3,
     /// Albedos of the walls +x −x +y −y +z −z.
     albedos: [f64; 6],
@@ -44,15 +42,15 @@ pub(super) fn trials() -> Vec<Trial> {
             let name = format!("radiance_maps/point_set/{}_{n}x{n}", column.0);
             trials.push(Trial::test(format!("{name}/cpu"), move || {
                 let set = &*SET;
-                let loaded = cpu_scene(&set.subject);
-                let views = loaded.capture(&normals(n))?.0.light_views;
+                let loaded = cpu_scene(&set.test_scene);
+                let views = loaded.capture(&normals(n))?.0.rsms;
                 let views = views.values().next().ok_or("no views")?;
                 set.check(&loaded, views, column, n)
             }));
             trials.push(on_gpu(format!("{name}/gpu"), move |context| {
                 let set = &*SET;
-                let loaded = gpu_scene(context, &set.subject)?;
-                let views = loaded.capture(&normals(n))?.0.light_views;
+                let loaded = gpu_scene(context, &set.test_scene)?;
+                let views = loaded.capture(&normals(n))?.0.rsms;
                 let views = views.values().next().ok_or("no views")?;
                 set.check(&loaded, &views.download(context)?, column, n)
             }));
@@ -63,13 +61,13 @@ pub(super) fn trials() -> Vec<Trial> {
 
 /// Views of n² texels that tell which walls their rays met.
 fn normals(n: u32) -> Needs {
-    let channels = LightViewChannels {
+    let channels = RsmChannels {
         normal: true,
-        ..LightViewChannels::default()
+        ..RsmChannels::default()
     };
-    let spec = LightViewSpec { size: n, channels };
+    let spec = RsmSpec { size: n, channels };
     Needs {
-        light_views: [spec].into(),
+        rsms: [spec].into(),
         ..Needs::default()
     }
 }
@@ -115,8 +113,8 @@ impl PointSet {
                 ..Point::default()
             })
         });
-        let subject = Subject::new("drm-box", &scene, on_host.collect());
-        let objects = subject.cpu.environment_objects();
+        let test_scene = TestScene::new("drm-box", &scene, on_host.collect());
+        let objects = test_scene.cpu.environment_objects();
         let albedo = |wall: usize| {
             let axis = [DVec3::X, DVec3::Y, DVec3::Z][wall / 2];
             let axis = if wall.is_multiple_of(2) { axis } else { -axis };
@@ -126,7 +124,7 @@ impl PointSet {
                 .bvh()
                 .closest(DVec3::ZERO, towards, 0.0, f64::INFINITY);
             let hit = hit.expect("a closed box");
-            let surface = subject.cpu.surface(objects, DVec3::ZERO, towards, hit);
+            let surface = test_scene.cpu.surface(objects, DVec3::ZERO, towards, hit);
             f64::from(surface.material.albedo.x)
         };
         Ok(Self {
@@ -134,7 +132,7 @@ impl PointSet {
             columns,
             points,
             light,
-            subject,
+            test_scene,
         })
     }
 
@@ -148,14 +146,14 @@ impl PointSet {
     fn check<S: BackendScene>(
         &self,
         loaded: &S,
-        views: &LightViewImage,
+        views: &RsmImage,
         (column, settings): Column,
         n: u32,
     ) -> Outcome {
         let side = n.to_string();
         let mut settings = settings.to_vec();
         settings.extend([("samples_per_side", &*side), ("map_resolution", &*side)]);
-        let estimate = super::shaded(loaded, &self.subject, &settings)?;
+        let estimate = super::shaded(loaded, &self.test_scene, &settings)?;
         let values: Vec<f64> = estimate.iter().map(|v| f64::from(v.x)).collect();
         let tolerance = Tolerance {
             absolute: 1e-7,

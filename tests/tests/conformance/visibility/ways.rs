@@ -2,8 +2,8 @@
 
 use super::{AO, VERTICES, small};
 use crate::ensure;
-use crate::subjects::Subject;
-use crate::world::{Outcome, configured, cpu_scene, gpu_scene};
+use crate::test_scenes::TestScene;
+use crate::variants::{Outcome, configured, cpu_scene, gpu_scene};
 use interreflect::view::View;
 use interreflect_estimators::directional_ao::{DIRECTIONS, directions};
 use interreflect_estimators::execution::BackendScene;
@@ -55,13 +55,13 @@ pub(super) fn ways_agree(context: &Arc<GpuContext>, model: &Path) -> Outcome {
         ..SceneRequest::new("studio")
     })?;
     let level = 1;
-    let mut subject = Subject::new("model", &scene, Vec::new());
-    let view = View::with(&subject.cpu, &small(scene.camera), VERTICES)?;
+    let mut test_scene = TestScene::new("model", &scene, Vec::new());
+    let view = View::with(&test_scene.cpu, &small(scene.camera), VERTICES)?;
     // Every fourth vertex: queries are slow.
     let vertices = view.points(PointLayout::Surface);
-    subject.set_points(vertices.iter().step_by(4).collect());
-    let points = subject.points(PointLayout::Surface);
-    let (cpu, gpu) = (cpu_scene(&subject), gpu_scene(context, &subject)?);
+    test_scene.set_points(vertices.iter().step_by(4).collect());
+    let points = test_scene.points(PointLayout::Surface);
+    let (cpu, gpu) = (cpu_scene(&test_scene), gpu_scene(context, &test_scene)?);
     let method = |visibility| {
         let level = level.to_string();
         let settings = [

@@ -3,7 +3,7 @@
 mod plot;
 
 use super::super::{print_json, print_line};
-use super::{Variant, subject, table};
+use super::{Variant, table, under_test};
 use crate::command_line::cli::Verify;
 use crate::command_line::error::CommandError;
 use crate::domain::files::{FileError, write_atomically};
@@ -49,8 +49,8 @@ pub(super) fn run(
         for &backend in backends {
             bar.set_message(format!("{} on {backend}", method.info().id));
             // A device that is not there, or a method without an implementation on it, has no rows.
-            if let Ok(subject) = subject(context, command, (&**method, *quantity), backend)
-                && subject.backend.opens(&**method).is_ok()
+            if let Ok(under_test) = under_test(context, command, (&**method, *quantity), backend)
+                && under_test.backend.opens(&**method).is_ok()
             {
                 let row = |extreme: Extreme| Row {
                     estimator: method.info().id,
@@ -65,7 +65,7 @@ pub(super) fn run(
                     verdict: extreme.verdict.name(),
                     note: extreme.note,
                 };
-                rows.extend(extremes(&subject).into_iter().map(row));
+                rows.extend(extremes(&under_test).into_iter().map(row));
             }
             bar.inc(1);
         }

@@ -4,10 +4,10 @@ mod bleeding;
 mod caustic;
 mod dynamic;
 mod flashing;
-mod light_view;
 mod materials;
 mod mirrors;
 mod rates;
+mod rsm;
 
 use super::{Experiment, Paper};
 
@@ -69,7 +69,7 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         rule: "A trial is a scene and a backend: less than one in a hundred photons lies elsewhere \
             than the place that a ray along its texel meets first, by a thousandth of the way; and \
             radiance differs from ρ/π·E·cos α there by less than 1 % rms.",
-        run: light_view::run,
+        run: rsm::run,
     },
     Experiment {
         id: "frisvad.7",

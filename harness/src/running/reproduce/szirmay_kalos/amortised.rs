@@ -39,6 +39,7 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
 
 fn place(context: &ExperimentContext<'_>, moved: f32, receivers: u32) -> ExperimentScene {
     ExperimentScene::of("colored-room")
+        .set("reference.offset", 0)
         .with(&context.mesh("bunny"))
         .set("receiver.size", 0.5)
         .set("receiver.moved", moved)

@@ -51,6 +51,7 @@ pub(super) fn run(
                 Reflection::Specular => (0.0, 0.8),
             };
             let room = ExperimentScene::of("colored-room")
+                .set("reference.offset", 0)
                 .with(&model)
                 .set("receiver.place", place)
                 .set("receiver.size", 0.7)

@@ -25,6 +25,7 @@ const METHODS: [(&str, &str); 3] = [
 pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> {
     let mut finding = Finding::default();
     let place = ExperimentScene::of("colored-room")
+        .set("reference.offset", 0)
         .with(&context.mesh("dragon"))
         .set("receiver.size", 0.9);
     let room = context.room(&place, &mut finding)?;

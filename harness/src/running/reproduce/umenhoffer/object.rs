@@ -21,6 +21,7 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
     let mut finding = Finding::default();
     let quantity = Quantity::Irradiance;
     let place = ExperimentScene::of("colored-room")
+        .set("reference.offset", 0)
         .with(&context.mesh("bunny"))
         .set("receiver.place", "floor")
         .set("receiver.gap", 0.01)

@@ -29,6 +29,7 @@ const LESS: f64 = 0.5;
 pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> {
     let mut finding = Finding::default();
     let place = ExperimentScene::of("colored-room")
+        .set("reference.offset", 0)
         .set("block", false)
         .set("receiver.size", 0.01);
     let room = context.room(&place, &mut finding)?;

@@ -2,15 +2,15 @@
 
 use super::raster::{Drawing, RASTER, array_view, begin_pass, layer_view};
 use super::shadow::SHADOW_MAPS;
-use crate::light_view::Planes;
 use crate::pipeline::{Raster, RenderSpec};
+use crate::rsm::Planes;
 use crate::scene::MATERIAL;
-use crate::{Binding, GpuContext, GpuCx, GpuError, GpuLightView, GpuScene, Shader, scene, wgsl};
+use crate::{Binding, GpuContext, GpuCx, GpuError, GpuRsm, GpuScene, Shader, scene, wgsl};
 use bytemuck::{Pod, Zeroable};
-use interreflect_scene::{LightFrame, LightViewSpec, Projection};
+use interreflect_scene::{LightFrame, Projection, RsmSpec};
 
 pub(crate) const SHADER: Shader = Shader {
-    label: "light views",
+    label: "RSMs",
     parts: &[
         wgsl::MATH,
         wgsl::CUBE,
@@ -19,12 +19,12 @@ pub(crate) const SHADER: Shader = Shader {
         SHADOW_MAPS,
         MATERIAL,
         wgsl::TRUE_COLORS,
-        include_str!("light_view.wgsl"),
+        include_str!("rsm.wgsl"),
     ],
 };
 
 /// Label of the pass that follows light through mirrors; there only where a scene has some.
-const MIRRORS: &str = "mirrors in light views";
+const MIRRORS: &str = "mirrors in RSMs";
 
 /// Most triangles of a scene whose mirrors are followed. The 64 lanes of a workgroup share them, for
 /// each of eight mirrors, and lavapipe ends the loops of an invocation after 65,535 turns in all.
@@ -78,18 +78,14 @@ impl Frame {
 /// the triangle's plane: no shadow pass, for what a light's ray meets first is lit. Where the scene
 /// has mirrors a further pass follows the texels that show one, by casting rays against all
 /// triangles; a scene without any has no such pass. Mirrors count as on the host
-/// (`interreflect_cpu::capture::light_view`).
+/// (`interreflect_cpu::capture::rsm`).
 ///
 /// # Errors
 /// [`GpuError::MirroredTriangles`] if a scene with mirrors has more than
 /// [`MAX_MIRRORED_TRIANGLES`], or another [`GpuError`] if the device has no room.
-pub fn capture_light_views(
-    cx: &mut GpuCx,
-    scene: &GpuScene,
-    spec: LightViewSpec,
-) -> Result<GpuLightView, GpuError> {
+pub fn capture_rsms(cx: &mut GpuCx, scene: &GpuScene, spec: RsmSpec) -> Result<GpuRsm, GpuError> {
     let context = cx.context().clone();
-    let view = GpuLightView::blank(&context, scene.frames.clone(), scene.captured, spec)?;
+    let view = GpuRsm::blank(&context, scene.frames.clone(), scene.captured, spec)?;
     let Some(lights) = scene.lights.as_ref().filter(|_| scene.vertex_count > 0) else {
         return Ok(view);
     };
@@ -101,7 +97,7 @@ pub fn capture_light_views(
         });
     }
     let frames: Vec<_> = scene.frames.iter().map(|f| Frame::new(f, scene)).collect();
-    let frames = context.storage("frames of light views", &frames)?;
+    let frames = context.storage("frames of RSMs", &frames)?;
     let seen = rasterise(cx, &context, scene, &frames, spec.size)?;
     let views = Views {
         size: spec.size,
@@ -112,7 +108,7 @@ pub fn capture_light_views(
         // Rays start on mirrors: so far, positions in f32 are off their plane.
         ray_start: 4e-6 * scene.bounds.reach(),
     };
-    let views = context.uniform("light views", &views)?;
+    let views = context.uniform("RSMs", &views)?;
     let Planes {
         position,
         radiance,
@@ -154,7 +150,7 @@ fn rasterise(
     size: u32,
 ) -> Result<wgpu::TextureView, GpuError> {
     let layers = scene.frames.len() as u32;
-    let seen = context.target_array("first surfaces of light views", size, layers, SEEN)?;
+    let seen = context.target_array("first surfaces of RSMs", size, layers, SEEN)?;
     let depth = context.depth_target(size)?;
     let spec = RenderSpec {
         shader: &SHADER,

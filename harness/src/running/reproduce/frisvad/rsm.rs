@@ -8,12 +8,12 @@ use super::super::verdict::{Amount, Trial};
 use crate::domain::image::HdrImage;
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
-use crate::running::on_backend::light_views;
+use crate::running::on_backend::rsms;
 use glam::{DVec3, Vec3};
 use interreflect_estimators::Quantity;
 use interreflect_estimators::execution::LoadedScene;
-use interreflect_scene::LightViewImage;
-use interreflect_scene::light_view::view_index;
+use interreflect_scene::RsmImage;
+use interreflect_scene::rsm::view_index;
 use std::f32::consts::FRAC_1_PI;
 
 /// Largest share of photons that lie elsewhere, and largest error of radiance over its mean.
@@ -30,7 +30,7 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
         let room = context.room(&ExperimentScene::of(scene), &mut finding)?;
         let needs = map.needs(Quantity::Irradiance, &facts_of(&room))?;
         for backend in context.backends() {
-            let mut views = light_views(&room, backend, &needs)?;
+            let mut views = rsms(&room, backend, &needs)?;
             let Some(view) = views.pop() else { continue };
             let (photons, elsewhere, error) = check(&room, &view);
             for (name, value) in [
@@ -63,7 +63,7 @@ fn judged(scene: &str, backend: Backend, [elsewhere, error]: [f64; 2]) -> [Trial
 
 /// Photons that no mirror brought, the share of them that a ray does not find, and the rms error of
 /// their radiance over its mean.
-fn check(room: &LoadedScene, view: &LightViewImage) -> (usize, f64, f64) {
+fn check(room: &LoadedScene, view: &RsmImage) -> (usize, f64, f64) {
     let (scene, size) = (room.scene(), view.size);
     let geometry = room.cpu().scene.environment_objects();
     let (mut photons, mut elsewhere) = (0_usize, 0_usize);
@@ -107,7 +107,7 @@ fn check(room: &LoadedScene, view: &LightViewImage) -> (usize, f64, f64) {
 }
 
 /// A row for each channel, as it needs an exposure of its own.
-fn rows(view: &LightViewImage, case: &str) -> Vec<Row> {
+fn rows(view: &RsmImage, case: &str) -> Vec<Row> {
     let (low, extent) = (view.bounds.low, view.bounds.high - view.bounds.low);
     let hit = |i: usize| view.path_m[i] > 0.0;
     let coloured = |values: &[Vec3], colour: &dyn Fn(Vec3) -> Vec3| -> Vec<Vec3> {

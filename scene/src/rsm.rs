@@ -3,7 +3,7 @@
 //! What the first ray of a light meets is lit; a reflective shadow map is a list of lit places
 //! (Frisvad et al., *Direct Radiance Mapping*, §3).
 
-use crate::{Bounds, LightFrame, LightViewChannels, LightViewSpec, Scene, conventions};
+use crate::{Bounds, LightFrame, RsmChannels, RsmSpec, Scene, conventions};
 use glam::Vec3;
 
 /// Mirrors that a ray of a light is followed through, at most.
@@ -32,11 +32,11 @@ pub struct TrueColors {
 /// light does not shine on, `path_m` is 0 and the texel is no photon. A mirror is none either: the
 /// texel shows what the ray meets after at most [`MAX_MIRRORS`] of them.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct LightViewImage {
+pub struct RsmImage {
     /// Texels along the edge of a view.
     pub size: u32,
     /// What each texel holds.
-    pub channels: LightViewChannels,
+    pub channels: RsmChannels,
     /// Where the views are taken from.
     pub frames: Vec<LightFrame>,
     /// Box around what captures see.
@@ -56,7 +56,7 @@ pub struct LightViewImage {
     pub true_colors: Vec<TrueColors>,
 }
 
-impl LightViewImage {
+impl RsmImage {
     /// Bytes of all its texels.
     pub fn bytes(&self) -> usize {
         let places = size_of_val(&*self.position) + size_of_val(&*self.path_m);
@@ -66,12 +66,12 @@ impl LightViewImage {
     }
 
     /// Views without a photon, with the channels of `spec`.
-    pub fn new(scene: &Scene, spec: LightViewSpec) -> Self {
+    pub fn new(scene: &Scene, spec: RsmSpec) -> Self {
         Self::blank(scene.light_frames(), Bounds::of_captured(scene), spec)
     }
 
     /// Views from these frames without a photon.
-    pub fn blank(frames: Vec<LightFrame>, bounds: Bounds, spec: LightViewSpec) -> Self {
+    pub fn blank(frames: Vec<LightFrame>, bounds: Bounds, spec: RsmSpec) -> Self {
         let texels = frames.len() * (spec.size as usize).pow(2);
         let count = |asked: bool| if asked { texels } else { 0 };
         let channels = spec.channels;
@@ -90,8 +90,8 @@ impl LightViewImage {
     }
 
     /// The spec that this image answers.
-    pub fn spec(&self) -> LightViewSpec {
-        LightViewSpec {
+    pub fn spec(&self) -> RsmSpec {
+        RsmSpec {
             size: self.size,
             channels: self.channels,
         }

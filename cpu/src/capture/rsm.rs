@@ -2,8 +2,8 @@
 
 use crate::scene::{CpuScene, SurfaceHit};
 use glam::{DVec3, Vec3};
-use interreflect_scene::light_view::MAX_MIRRORS;
-use interreflect_scene::{LightFrame, LightViewImage, LightViewSpec, TrueColors, conventions};
+use interreflect_scene::rsm::MAX_MIRRORS;
+use interreflect_scene::{LightFrame, RsmImage, RsmSpec, TrueColors, conventions};
 use rayon::prelude::*;
 use std::f32::consts::FRAC_1_PI;
 
@@ -15,8 +15,8 @@ use std::f32::consts::FRAC_1_PI;
 /// whole way, times the mirrors' reflectances: exact for plane mirrors. A curved one widens or
 /// narrows the bundle of rays: the flux of its texel, radiance times area, is still right, the area
 /// alone approximate. Rows run in parallel; the result does not depend on how.
-pub fn capture_light_views(scene: &CpuScene, spec: LightViewSpec) -> LightViewImage {
-    let mut image = LightViewImage::new(scene.scene(), spec);
+pub fn capture_rsms(scene: &CpuScene, spec: RsmSpec) -> RsmImage {
+    let mut image = RsmImage::new(scene.scene(), spec);
     let size = spec.size as usize;
     let texels: Vec<Option<LitPlace>> = (0..image.texels())
         .into_par_iter()
@@ -104,7 +104,7 @@ impl LitPlace {
         })
     }
 
-    fn write(&self, image: &mut LightViewImage, index: usize) {
+    fn write(&self, image: &mut RsmImage, index: usize) {
         image.position[index] = self.position.as_vec3();
         image.path_m[index] = self.path_m as f32;
         if let Some(radiance) = image.radiance.get_mut(index) {

@@ -3,13 +3,13 @@
 use crate::{GpuContext, GpuError};
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec3, Vec4};
-use interreflect_scene::{Bounds, LightFrame, LightViewImage, LightViewSpec, TrueColors};
+use interreflect_scene::{Bounds, LightFrame, RsmImage, RsmSpec, TrueColors};
 
 /// Views from every light: buffers of texels, frame by frame and row by row as in
-/// [`LightViewImage`], which compute shaders read. A texel whose way has length 0 is no photon.
+/// [`RsmImage`], which compute shaders read. A texel whose way has length 0 is no photon.
 #[derive(Clone, Debug)]
-pub struct GpuLightView {
-    spec: LightViewSpec,
+pub struct GpuRsm {
+    spec: RsmSpec,
     frames: Vec<LightFrame>,
     bounds: Bounds,
     pub(crate) planes: Planes,
@@ -38,13 +38,13 @@ pub(crate) struct GpuTrueColors {
     pub(crate) pad: f32,
 }
 
-impl GpuLightView {
+impl GpuRsm {
     /// Views from these frames without a photon.
     pub(crate) fn blank(
         context: &GpuContext,
         frames: Vec<LightFrame>,
         bounds: Bounds,
-        spec: LightViewSpec,
+        spec: RsmSpec,
     ) -> Result<Self, GpuError> {
         let texels = frames.len() as u64 * u64::from(spec.size).pow(2);
         let room = |label: &str, asked: bool, bytes: usize| {
@@ -53,15 +53,11 @@ impl GpuLightView {
         };
         let channels = spec.channels;
         let planes = Planes {
-            position: room("positions in light views", true, size_of::<Vec4>())?,
-            radiance: room(
-                "radiance in light views",
-                channels.radiance,
-                size_of::<Vec4>(),
-            )?,
-            normal: room("normals in light views", channels.normal, size_of::<Vec4>())?,
+            position: room("positions in RSMs", true, size_of::<Vec4>())?,
+            radiance: room("radiance in RSMs", channels.radiance, size_of::<Vec4>())?,
+            normal: room("normals in RSMs", channels.normal, size_of::<Vec4>())?,
             true_colors: room(
-                "true colours in light views",
+                "true colours in RSMs",
                 channels.true_colors,
                 size_of::<GpuTrueColors>(),
             )?,
@@ -75,7 +71,7 @@ impl GpuLightView {
     }
 
     /// The spec that these views answer.
-    pub fn spec(&self) -> LightViewSpec {
+    pub fn spec(&self) -> RsmSpec {
         self.spec
     }
 
@@ -117,7 +113,7 @@ impl GpuLightView {
     /// # Errors
     /// [`GpuError::CubeImage`] if a channel has another number of texels than the image's size
     /// and frames say, or another [`GpuError`] if the device has no room.
-    pub fn upload(context: &GpuContext, image: &LightViewImage) -> Result<Self, GpuError> {
+    pub fn upload(context: &GpuContext, image: &RsmImage) -> Result<Self, GpuError> {
         let (expected, channels) = (image.texels(), image.channels);
         for (asked, found) in [
             (true, image.position.len()),
@@ -155,8 +151,8 @@ impl GpuLightView {
     ///
     /// # Errors
     /// [`GpuError`] if the device fails.
-    pub fn download(&self, context: &GpuContext) -> Result<LightViewImage, GpuError> {
-        let mut image = LightViewImage::blank(self.frames.clone(), self.bounds, self.spec);
+    pub fn download(&self, context: &GpuContext) -> Result<RsmImage, GpuError> {
+        let mut image = RsmImage::blank(self.frames.clone(), self.bounds, self.spec);
         let (texels, channels) = (image.texels(), self.spec.channels);
         let read = |buffer| -> Result<Vec<Vec4>, GpuError> {
             let mut values = context.read_buffer(buffer)?;

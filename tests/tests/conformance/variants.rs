@@ -1,6 +1,6 @@
 //! The methods and backends that trials are made over.
 
-use crate::subjects::Subject;
+use crate::test_scenes::TestScene;
 use interreflect_cpu::tiles::CpuCx;
 use interreflect_estimators::execution::{BackendScene, CpuLoadedScene, Executor, GpuLoadedScene};
 use interreflect_estimators::{
@@ -68,16 +68,16 @@ impl Variant {
     }
 
     /// Why it can't run in a scene on the CPU, if it can't: a result, which trials show.
-    pub(crate) fn unsupported(&self, subject: &Subject) -> Option<String> {
-        let facts = subject.cpu.scene().facts();
+    pub(crate) fn unsupported(&self, test_scene: &TestScene) -> Option<String> {
+        let facts = test_scene.cpu.scene().facts();
         let needs = self.method.needs(self.quantity, &facts).map(drop);
         let opened = needs.and_then(|()| self.method.on_cpu().map(drop));
         opened.err().map(|why| why.to_string())
     }
 
     /// Why it can't run in a scene on the device, if there is one and it can't.
-    pub(crate) fn unsupported_on_gpu(&self, subject: &Subject) -> Option<String> {
-        let facts = subject.cpu.scene().facts();
+    pub(crate) fn unsupported_on_gpu(&self, test_scene: &TestScene) -> Option<String> {
+        let facts = test_scene.cpu.scene().facts();
         let needs = self.method.needs(self.quantity, &facts).map(drop);
         let opened = needs.and_then(|()| match &*GPU {
             Ok(context) => self.method.on_gpu(context).map(drop),
@@ -87,8 +87,8 @@ impl Variant {
     }
 
     /// Whether it can run in a scene on the device that is there.
-    pub(crate) fn runs_in(&self, subject: &Subject) -> bool {
-        self.unsupported_on_gpu(subject).is_none()
+    pub(crate) fn runs_in(&self, test_scene: &TestScene) -> bool {
+        self.unsupported_on_gpu(test_scene).is_none()
     }
 
     /// Runs it in a scene.
@@ -167,20 +167,20 @@ pub(crate) fn configured(
 }
 
 /// A check on a loaded of either backend.
-type Check<S> = fn(&S, &'static Subject) -> Outcome;
+type Check<S> = fn(&S, &'static TestScene) -> Outcome;
 
 /// One trial on each backend.
 pub(crate) fn on_both(
     name: &str,
-    subject: impl Fn() -> &'static Subject + Copy + Send + 'static,
+    test_scene: impl Fn() -> &'static TestScene + Copy + Send + 'static,
     cpu: Check<CpuLoadedScene>,
     gpu: Check<GpuLoadedScene>,
 ) -> [Trial; 2] {
     let on_cpu = Trial::test(format!("{name}/cpu"), move || {
-        cpu(&cpu_scene(subject()), subject())
+        cpu(&cpu_scene(test_scene()), test_scene())
     });
     let on_device = on_gpu(format!("{name}/gpu"), move |context| {
-        gpu(&gpu_scene(context, subject())?, subject())
+        gpu(&gpu_scene(context, test_scene())?, test_scene())
     });
     [on_cpu, on_device]
 }
@@ -201,16 +201,16 @@ pub(crate) fn bounced(captured: u32) -> Vec<Variant> {
 }
 
 /// A scene on the CPU.
-pub(crate) fn cpu_scene(subject: &Subject) -> CpuLoadedScene {
-    CpuLoadedScene::new(&CPU, subject.cpu.clone())
+pub(crate) fn cpu_scene(test_scene: &TestScene) -> CpuLoadedScene {
+    CpuLoadedScene::new(&CPU, test_scene.cpu.clone())
 }
 
 /// A scene on the GPU.
 pub(crate) fn gpu_scene(
     context: &Arc<GpuContext>,
-    subject: &Subject,
+    test_scene: &TestScene,
 ) -> Result<GpuLoadedScene, Failed> {
-    Ok(GpuLoadedScene::new(context, cpu_scene(subject))?)
+    Ok(GpuLoadedScene::new(context, cpu_scene(test_scene))?)
 }
 
 /// The captures that a method declares.

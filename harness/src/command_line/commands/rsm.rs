@@ -1,4 +1,4 @@
-//! `render --show light_view`: the pictures that an estimator takes from the lights, side by side
+//! `render --show rsm`: the pictures that an estimator takes from the lights, side by side
 //! (P3, Figure 6).
 
 use super::render::OUT;
@@ -9,10 +9,10 @@ use crate::command_line::invocation::Invoked;
 use crate::domain::image::{Exposure, HdrImage};
 use crate::presenting::output::{Header, write_exr, write_png};
 use crate::running::context::GpuUse;
-use crate::running::on_backend::light_views;
+use crate::running::on_backend::rsms;
 use glam::Vec3;
 use interreflect_estimators::{Quantity, Registry};
-use interreflect_scene::LightViewImage;
+use interreflect_scene::RsmImage;
 
 /// Pixels along the edge of a shown view, at least: texels are enlarged to whole blocks.
 const SHOWN: usize = 256;
@@ -35,19 +35,19 @@ pub(super) fn run(
     let quantity = command.quantity.or(method.quantities().first().copied());
     let quantity = quantity.unwrap_or(Quantity::Irradiance);
     let needs = method.needs(quantity, &scene.facts())?;
-    if needs.light_views.is_empty() {
+    if needs.rsms.is_empty() {
         return Err(CommandError::Usage(format!(
-            "--show light_view: {} uses no reflective shadow maps; `interreflect list --needs` \
+            "--show rsm: {} uses no reflective shadow maps; `interreflect list --needs` \
              says which estimators do",
             command.estimator
         )));
     }
     let folder = command.out.clone().unwrap_or_else(|| OUT.into());
     for &backend in command.backend.list() {
-        for views in light_views(&loaded, backend, &needs)? {
+        for views in rsms(&loaded, backend, &needs)? {
             for (channel, values, shown) in channels(&views) {
                 let (name, id) = (&scene.name, method.info().id);
-                let stem = format!("{name}-{id}-light_view-{channel}-{backend}");
+                let stem = format!("{name}-{id}-rsm-{channel}-{backend}");
                 write_exr(
                     &folder.join(format!("{stem}.exr")),
                     &sheet(&views, &values, 1),
@@ -56,7 +56,7 @@ pub(super) fn run(
                         .with("scene", name)
                         .with("estimator", id)
                         .with("backend", backend.to_string())
-                        .with("shown", format!("light view, {channel}")),
+                        .with("shown", format!("RSM, {channel}")),
                 )?;
                 let factor = SHOWN.div_ceil(views.size as usize);
                 let image = sheet(&views, &shown, factor);
@@ -70,7 +70,7 @@ pub(super) fn run(
 }
 
 /// Name of each channel that there is, its values, and these as colours in [0, 1] or as radiance.
-fn channels(views: &LightViewImage) -> Vec<(&'static str, Vec<Vec3>, Vec<Vec3>)> {
+fn channels(views: &RsmImage) -> Vec<(&'static str, Vec<Vec3>, Vec<Vec3>)> {
     let (low, size) = (views.bounds.low, views.bounds.high - views.bounds.low);
     let hit = |i: usize| views.path_m[i] > 0.0;
     let where_hit = |values: &[Vec3], colour: &dyn Fn(Vec3) -> Vec3| -> Vec<Vec3> {
@@ -102,14 +102,14 @@ fn channels(views: &LightViewImage) -> Vec<(&'static str, Vec<Vec3>, Vec<Vec3>)>
 }
 
 /// The views side by side, each texel as a block of pixels.
-fn sheet(views: &LightViewImage, values: &[Vec3], factor: usize) -> HdrImage {
+fn sheet(views: &RsmImage, values: &[Vec3], factor: usize) -> HdrImage {
     let size = views.size as usize;
     let (width, height) = (views.frames.len() * size * factor, size * factor);
     let pixel = |i: usize| {
         let (x, y) = (i % width / factor, i / width / factor);
         let (frame, column) = (x / size, x % size);
         let (column, row) = (column as u32, y as u32);
-        values[interreflect_scene::light_view::view_index(views.size, frame, column, row)]
+        values[interreflect_scene::rsm::view_index(views.size, frame, column, row)]
     };
     HdrImage {
         width,

@@ -1,4 +1,4 @@
-//! Small worlds that answers are known of: six walls around a reference point, and points.
+//! Box scenes with known answers: six walls around a reference point, and shading points.
 
 use crate::oracles::polygon::polygon_irradiance;
 use crate::oracles::solid_angle::polygon_solid_angle_sr;
@@ -11,7 +11,7 @@ use interreflect_scene::{
 };
 use std::f32::consts::PI;
 
-/// What the walls of a world are.
+/// What lights a box scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lighting {
     /// They emit.
@@ -33,7 +33,7 @@ impl Lighting {
     }
 }
 
-/// Where a world is put: x ↦ `linear`·x + `shift`.
+/// Transform of a box scene: x ↦ `linear`·x + `shift`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placement {
     /// A cube's symmetry times a size.
@@ -64,7 +64,7 @@ impl Placement {
 
 /// A box of six walls with what lights it, a reference point, and points.
 #[derive(Clone, Debug)]
-pub struct World {
+pub struct BoxScene {
     /// What the walls are.
     pub lighting: Lighting,
     /// Half the box's edges, in metres.
@@ -87,7 +87,7 @@ pub struct World {
     pub placement: Placement,
 }
 
-impl World {
+impl BoxScene {
     /// The scene.
     pub fn scene(&self) -> Scene {
         let mut mesh = Mesh::default();
@@ -131,7 +131,7 @@ impl World {
             motion: None,
         });
         Scene {
-            name: "world".into(),
+            name: "box scene".into(),
             objects: objects.into_iter().collect(),
             materials: materials.into(),
             lights: self.lights(),

@@ -3,7 +3,7 @@
 use crate::ensure;
 use glam::{DVec3, Vec3};
 use interreflect::view::View;
-use interreflect_conformance::verify::{Lighting, Placement, World};
+use interreflect_conformance::verify::{BoxScene, Lighting, Placement};
 use interreflect_cpu::scene::CpuScene;
 use interreflect_scene::{
     Environment, Estimate, LatLongImage, Point, PointLayout, Points, Scene, SceneRequest,
@@ -13,13 +13,13 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, LazyLock};
 
 /// A scene with points.
-pub(crate) struct Subject {
+pub(crate) struct TestScene {
     pub(crate) name: &'static str,
     pub(crate) cpu: Arc<CpuScene>,
     points: Vec<Option<Point>>,
 }
 
-impl Subject {
+impl TestScene {
     /// A scene that the CPU takes, with points.
     pub(crate) fn new(name: &'static str, scene: &Scene, points: Vec<Option<Point>>) -> Self {
         Self {
@@ -39,10 +39,10 @@ impl Subject {
             ..SceneRequest::new(name)
         };
         let scene = interreflect_scene::open(&request).expect("a library scene");
-        let mut subject = Self::new(name, &scene, Vec::new());
-        let view = View::of_about(&subject.cpu, &scene.camera, 400).expect("a view with points");
-        subject.points = view.points(PointLayout::Material).iter().collect();
-        subject
+        let mut test_scene = Self::new(name, &scene, Vec::new());
+        let view = View::of_about(&test_scene.cpu, &scene.camera, 400).expect("a view with points");
+        test_scene.points = view.points(PointLayout::Material).iter().collect();
+        test_scene
     }
 
     /// Other points in the same scene.
@@ -65,14 +65,14 @@ impl Subject {
     }
 }
 
-/// The subjects, each set up when it is first needed.
-pub(crate) static SUBJECTS: [LazyLock<Subject>; 5] = [
-    LazyLock::new(|| Subject::library("colored-room", &[])),
-    LazyLock::new(|| Subject::library("cornell-box", &[])),
-    LazyLock::new(|| Subject::library("studio", &[])),
+/// The test_scenes, each set up when it is first needed.
+pub(crate) static TEST_SCENES: [LazyLock<TestScene>; 5] = [
+    LazyLock::new(|| TestScene::library("colored-room", &[])),
+    LazyLock::new(|| TestScene::library("cornell-box", &[])),
+    LazyLock::new(|| TestScene::library("studio", &[])),
     LazyLock::new(|| {
         let scene = room(ROOM_RADIANCES, ROOM_ORIGIN);
-        Subject::new("emitting-box", &scene, inside(400))
+        TestScene::new("emitting-box", &scene, inside(400))
     }),
     LazyLock::new(|| {
         let mut scene = room([0.0; 6], ROOM_ORIGIN);
@@ -82,7 +82,7 @@ pub(crate) static SUBJECTS: [LazyLock<Subject>; 5] = [
             scale: 1.0,
             rotate_deg: 20.0,
         });
-        Subject::new("open-sky", &scene, inside(100))
+        TestScene::new("open-sky", &scene, inside(100))
     }),
 ];
 
@@ -94,7 +94,7 @@ pub(crate) const ROOM_RADIANCES: [f32; 6] = [1.0, 0.2, 0.5, 0.8, 0.3, 0.6];
 
 /// The box [−1, 1]³ with walls that emit inwards, in the order of cube faces.
 pub(crate) fn room(radiances: [f32; 6], reference_point: Vec3) -> Scene {
-    let world = World {
+    let box_scene = BoxScene {
         lighting: Lighting::Walls,
         half: Vec3::ONE,
         walls: radiances.map(Vec3::splat),
@@ -106,12 +106,12 @@ pub(crate) fn room(radiances: [f32; 6], reference_point: Vec3) -> Scene {
         points: Vec::new(),
         placement: Placement::NONE,
     };
-    world.scene()
+    box_scene.scene()
 }
 
 /// A box on the CPU, with these points.
-pub(crate) fn box_with(radiances: [f32; 6], points: Vec<Option<Point>>) -> Subject {
-    Subject::new("box", &room(radiances, ROOM_ORIGIN), points)
+pub(crate) fn box_with(radiances: [f32; 6], points: Vec<Option<Point>>) -> TestScene {
+    TestScene::new("box", &room(radiances, ROOM_ORIGIN), points)
 }
 
 /// A smooth environment without symmetry.
