@@ -145,25 +145,28 @@ impl CpuCx {
             out.len(),
             "an estimate is as long as its points"
         );
-        let stride = Estimate::PLANES * LANES;
-        self.pool.install(|| {
-            out.blocks_mut()
-                .par_chunks_mut(stride * BLOCKS_PER_TASK)
-                .enumerate()
-                .for_each(|(task, out)| {
-                    let task = Task {
-                        kernel,
-                        points,
-                        first_block: task * BLOCKS_PER_TASK,
-                        out,
-                    };
-                    match self.arithmetic {
-                        Arithmetic::Lanes => self.instruction_set.run(task),
-                        Arithmetic::Scalar => task.shade::<f32>(),
-                        Arithmetic::Float64 => task.shade::<f64>(),
-                    }
-                });
+        self.for_each_chunk(out, &|first_block, out| {
+            let task = Task {
+                kernel,
+                points,
+                first_block,
+                out,
+            };
+            match self.arithmetic {
+                Arithmetic::Lanes => self.instruction_set.run(task),
+                Arithmetic::Scalar => task.shade::<f32>(),
+                Arithmetic::Float64 => task.shade::<f64>(),
+            }
         });
+    }
+
+    /// Calls `shade` on this context's threads with the index of a first block and the blocks from there
+    /// on: compiled once, and not for each kernel.
+    fn for_each_chunk(&self, out: &mut Estimate, shade: &(dyn Fn(usize, &mut [f32]) + Sync)) {
+        let stride = Estimate::PLANES * LANES;
+        let chunks = out.blocks_mut().par_chunks_mut(stride * BLOCKS_PER_TASK);
+        let chunks = chunks.enumerate();
+        self.install(|| chunks.for_each(|(task, out)| shade(task * BLOCKS_PER_TASK, out)));
     }
 }
 

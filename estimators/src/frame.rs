@@ -1,9 +1,10 @@
 //! What an estimator is given in one frame.
 
 use crate::backend::{Backend, Cpu, Gpu};
+use crate::captures::Captures;
+use crate::configured::Configured;
 use crate::error::{EstimatorError, Unsupported};
 use crate::quantity::Quantity;
-use crate::registry::Configured;
 use glam::Vec3;
 use interreflect_cpu::tiles::TileKernel;
 use interreflect_gpu::{Binding, GpuContext};
@@ -11,35 +12,8 @@ use interreflect_scene::{
     CubeSpec, DirectionalDepthSpec, Environment, Needs, Points, RsmSpec, Scene, SceneFacts,
 };
 use std::cell::RefCell;
-use std::collections::BTreeMap;
 use std::ops::{BitOr, Deref};
 use std::sync::Arc;
-
-/// The captures that were made for one or several methods, by the specs that asked for them.
-pub struct Captures<B: Backend> {
-    /// Cube maps around the reference point.
-    pub cubes: BTreeMap<CubeSpec, B::Cube>,
-    /// Depth maps along directions.
-    pub depths: BTreeMap<DirectionalDepthSpec, B::Depths>,
-    /// What arrives from infinitely far away, if the scene has any.
-    pub environment: Option<Environment>,
-    /// Views from the lights.
-    pub rsms: BTreeMap<RsmSpec, B::Rsm>,
-    /// Ray queries in the whole scene.
-    pub transport: Option<std::sync::Arc<B::Transport>>,
-}
-
-impl<B: Backend> Default for Captures<B> {
-    fn default() -> Self {
-        Self {
-            cubes: BTreeMap::new(),
-            depths: BTreeMap::new(),
-            environment: None,
-            rsms: BTreeMap::new(),
-            transport: None,
-        }
-    }
-}
 
 /// What changed since a session's last `prepare`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -226,7 +200,7 @@ impl<'a, B: Backend> Inputs<'a, B> {
         found.ok_or_else(|| EstimatorError::Missing(name()))
     }
 
-    /// Views from all lights.
+    /// Reflective shadow maps of all lights.
     ///
     /// # Errors
     /// [`EstimatorError::Undeclared`] if `needs` did not name them.

@@ -5,7 +5,9 @@
 
 pub mod averaging;
 mod backend;
+mod captures;
 mod claims;
+mod configured;
 mod error;
 mod frame;
 pub mod leaves;
@@ -41,14 +43,16 @@ pub const LOBE_POWER: &str = include_str!("lobe_power.wgsl");
 pub const ANGLE: &str = include_str!("angle.wgsl");
 
 pub use backend::{Backend, Cpu, Gpu};
+pub use captures::Captures;
 pub use claims::{Answers, Claim, FormFactorLaw, PatchKernel, PointEstimate};
+pub use configured::{Configured, Session};
 pub use error::{EstimatorError, Unsupported};
-pub use frame::{Captures, Changed, Frame, Inputs, VisibleTriangles};
+pub use frame::{Changed, Frame, Inputs, VisibleTriangles};
 pub use method::{Estimator, Figure, Info, Kernels, Method, Prepared, Reference};
 pub use model::{OtherModel, OwnModel, ReferenceModel};
 pub use quantity::Quantity;
 pub use records::Records;
-pub use registry::{Configured, CpuOnly, Entry, Registry, Session, UnknownEstimator};
+pub use registry::{CpuOnly, Entry, Registry, UnknownEstimator};
 pub use tolerance::Tolerance;
 
 pub use {bytemuck, glam, wgpu};

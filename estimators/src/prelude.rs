@@ -14,10 +14,10 @@ pub use interreflect_cpu::scene::CpuScene;
 pub use interreflect_cpu::tiles::{CpuCx, PointLanes, TileKernel};
 pub use interreflect_gpu::{Binding, GpuContext, GpuCube, Kernel, Shader, wgsl};
 pub use interreflect_scene::conventions::{
-    CUBE_FACES, cube_vector, texel_centre, texel_index, texel_solid_angle_sr,
+    CUBE_FACES, cube_coordinates, cube_vector, texel_centre, texel_index, texel_solid_angle_sr,
 };
 pub use interreflect_scene::params::Fidelity;
 pub use interreflect_scene::{
-    CubeChannels, CubeImage, CubeSpec, Estimate, Needs, Point, PointLayout, Points, RsmChannels,
-    RsmSpec, Scene, SceneFacts,
+    Bounds, CubeChannels, CubeImage, CubeSpec, Estimate, Needs, Point, PointLayout, Points,
+    RsmChannels, RsmSpec, Scene, SceneFacts,
 };

@@ -1,9 +1,9 @@
-//! A stranger's program: the whole command line, with two more estimators.
+//! A stranger's program: the whole command line, with three more estimators.
 //!
 //! `cargo run --example stranger -- verify --estimator hemisphere_ambient --estimator boastful`
 
 use interreflect::{CountingAllocator, Entry, Registry, memory, restart_without_driver_chatter};
-use interreflect_stranger::{Boastful, HemisphereAmbient};
+use interreflect_stranger::{Boastful, BoxProjected, HemisphereAmbient};
 use std::alloc::System;
 use std::process::ExitCode;
 
@@ -16,6 +16,7 @@ fn main() -> ExitCode {
     memory::count_with(&HEAP);
     let registry = Registry::builtin()
         .with(Entry::both::<HemisphereAmbient>())
+        .with(Entry::cpu_only::<BoxProjected>())
         .with(Entry::cpu_only::<Boastful>());
     interreflect::run(registry)
 }

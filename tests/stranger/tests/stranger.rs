@@ -9,7 +9,7 @@ use serde_json::Value;
 const VERIFY: [&str; 6] = ["verify", "--backend", "cpu", "--json", "--cases", "4"];
 
 #[test]
-fn a_true_word_passes_every_check_that_it_is_about() {
+fn a_true_claim_passes_every_check_that_it_is_about() {
     let output = run(&[&VERIFY[..], &["--estimator", "hemisphere_ambient"]].concat());
     let json = json(&output);
     assert!(output.status.success(), "{json}");
@@ -56,6 +56,29 @@ fn a_false_claim_fails_with_a_small_box_scene_and_a_command_that_reproduces_it()
     let again = program::json(&again);
     assert_eq!(checks(&again).len(), 1);
     assert_eq!(checks(&again)[0]["value"], bounded["value"]);
+}
+
+/// Its rule depends on where a point is, its own model on nothing that the house has.
+#[test]
+fn a_rule_and_a_reference_model_of_its_own_are_asked() {
+    let output = run(&[&VERIFY[..], &["--estimator", "box_projected"]].concat());
+    let json = json(&output);
+    assert!(output.status.success(), "{json}");
+    assert!(names(&json, "passed").contains(&"at_points"), "{json}");
+
+    let line =
+        "bench furnace --estimator box_projected --points 64 --samples 32 --backend cpu --json";
+    let output = run(&line.split_whitespace().collect::<Vec<_>>());
+    let json = program::json(&output);
+    let own = &json["runs"][0]["own_model"];
+    assert!(
+        own["reference"]
+            .as_str()
+            .unwrap()
+            .contains("along the normal"),
+        "{own}"
+    );
+    assert!(own["relmse"].as_f64().unwrap() < 1e-9, "{own}");
 }
 
 #[test]

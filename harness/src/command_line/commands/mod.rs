@@ -25,6 +25,7 @@ use crate::running::warning::Warning;
 use interreflect_conformance::verify::Check;
 use interreflect_estimators::execution::LoadedScene;
 use interreflect_estimators::{Configured, Registry};
+use interreflect_scene::Scene;
 
 /// Runs a command; what it prints goes to standard output.
 ///
@@ -76,10 +77,15 @@ fn load(
     gpu: GpuUse,
 ) -> Result<LoadedScene, CommandError> {
     let loaded = context.load(source, &options.changes(), settings, gpu)?;
-    if let Some(warning) = remarkable(loaded.scene()) {
+    remark_on(loaded.scene());
+    Ok(loaded)
+}
+
+/// Prints what is strange about a scene, if anything is, on standard error.
+fn remark_on(scene: &Scene) {
+    if let Some(warning) = remarkable(scene) {
         warn(&warning);
     }
-    Ok(loaded)
 }
 
 /// Prints a remark on standard error.

@@ -1,7 +1,7 @@
 //! `render --frames`: images of a scene that moves, by sessions that live on from frame to frame.
 
 use super::render::{OUT, Shown, resized};
-use super::{print_json, print_line, with_method};
+use super::{print_json, print_line, remark_on, with_method};
 use crate::command_line::cli::Render;
 use crate::command_line::error::CommandError;
 use crate::domain::image::Exposure;
@@ -42,6 +42,7 @@ pub(super) fn run(command: &Render, registry: Registry) -> Result<(), CommandErr
         &command.scene_options.changes(),
         &command.settings,
     )?;
+    remark_on(&rest);
     let moves = rest.moves();
     let gpu = GpuUse::required_in(command.backend.list());
     let mut loaded = context.set_up(&context.cpu, &rest, gpu)?;

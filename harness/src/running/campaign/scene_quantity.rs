@@ -230,7 +230,8 @@ impl SceneQuantity<'_> {
     }
 }
 
-/// Mean absolute difference of two estimates over the mean of the first; 0 where both are black.
+/// Mean absolute difference of two estimates over the mean of the first; 0 where both are black. Also 0 if one
+/// is not finite: its comparison with the references says that.
 fn mean_difference(a: &Estimate, b: &Estimate) -> f64 {
     let sum = |values: &mut dyn Iterator<Item = Vec3>| -> f64 {
         values.map(|v| f64::from(v.abs().element_sum())).sum()
