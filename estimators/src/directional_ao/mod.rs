@@ -32,7 +32,7 @@ impl Method for DirectionalAo {
     const INFO: Info = Info {
         id: "directional_ao",
         title: "Ambient occlusion from many directions",
-        summary: "openness, and the irradiance of an occluded environment, from depth maps along k directions",
+        summary: "openness, and irradiance from the environment with occlusion, from depth maps along k directions",
         references: &[Reference {
             authors: "M. Sattler, R. Sarlette, G. Zachmann, R. Klein",
             title: "Hardware-accelerated Ambient Occlusion Computation",
