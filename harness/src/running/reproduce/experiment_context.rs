@@ -107,7 +107,7 @@ impl<'a> ExperimentContext<'a> {
     }
 
     /// Opens a scene and sets it up.
-    pub(super) fn room(
+    pub(super) fn load(
         &self,
         place: &ExperimentScene,
         finding: &mut Finding,
@@ -115,28 +115,28 @@ impl<'a> ExperimentContext<'a> {
         self.set_up(&self.scene(place, finding)?)
     }
 
-    /// What a room's camera sees, cropped to about as many shaded points as a picture has.
-    pub(super) fn view(&self, room: &LoadedScene) -> Result<View, RunError> {
-        self.view_of(room, self.points())
+    /// What a scene's camera sees, cropped to about as many shaded points as a picture has.
+    pub(super) fn view(&self, loaded: &LoadedScene) -> Result<View, RunError> {
+        self.view_of(loaded, self.points())
     }
 
     /// As [`Self::view`], of about as many points as said.
-    pub(super) fn view_of(&self, room: &LoadedScene, count: usize) -> Result<View, RunError> {
-        let scene = &*room.cpu().scene;
+    pub(super) fn view_of(&self, loaded: &LoadedScene, count: usize) -> Result<View, RunError> {
+        let scene = &*loaded.cpu().scene;
         let camera = scene.scene().camera;
         self.context
             .cpu
             .install(|| View::of_about(scene, &camera, count))
     }
 
-    /// What a room's camera sees, `width` pixels wide.
+    /// What a scene's camera sees, `width` pixels wide.
     pub(super) fn whole_view(
         &self,
-        room: &LoadedScene,
+        loaded: &LoadedScene,
         width: u32,
         look: Look,
     ) -> Result<View, RunError> {
-        let scene = &*room.cpu().scene;
+        let scene = &*loaded.cpu().scene;
         let camera = scene.scene().camera;
         let [w, h] = camera.resolution;
         let camera = Camera {
@@ -163,18 +163,18 @@ impl<'a> ExperimentContext<'a> {
     /// The references of a quantity at points, none of them computed yet.
     pub(super) fn references<'b>(
         &'b self,
-        room: &'b LoadedScene,
+        loaded: &'b LoadedScene,
         quantity: Quantity,
         points: &'b Points,
     ) -> References<'b> {
-        self.references_to(self.stop(), room, quantity, points)
+        self.references_to(self.stop(), loaded, quantity, points)
     }
 
     /// As [`Self::references`], with eight times as many samples: for what is cheap to trace and judged by
     /// more than a mean.
     pub(super) fn precise<'b>(
         &'b self,
-        room: &'b LoadedScene,
+        loaded: &'b LoadedScene,
         quantity: Quantity,
         points: &'b Points,
     ) -> References<'b> {
@@ -182,31 +182,31 @@ impl<'a> ExperimentContext<'a> {
             samples: self.stop().samples.map(|n| 8 * n),
             ..Stop::default()
         };
-        self.references_to(stop, room, quantity, points)
+        self.references_to(stop, loaded, quantity, points)
     }
 
     fn references_to<'b>(
         &'b self,
         stop: Stop,
-        room: &'b LoadedScene,
+        loaded: &'b LoadedScene,
         quantity: Quantity,
         points: &'b Points,
     ) -> References<'b> {
         let (cx, seed) = (&self.context.cpu, self.context.seed);
-        References::new(cx, &room.cpu().scene, quantity, points, stop, seed)
+        References::new(cx, &loaded.cpu().scene, quantity, points, stop, seed)
     }
 
     /// Runs a method for its estimate alone: its record has no times.
     pub(super) fn run_once(
         &self,
-        room: &LoadedScene,
+        loaded: &LoadedScene,
         backend: Backend,
         method: &dyn Configured,
         quantity: Quantity,
         points: &Points,
     ) -> Result<MeasuredRun, RunError> {
         let mut measured =
-            self.measured(room, backend, method, (quantity, points), &Sampling::ONCE)?;
+            self.measured(loaded, backend, method, (quantity, points), &Sampling::ONCE)?;
         measured.run.phases_ms = Phases::default();
         Ok(measured)
     }
@@ -214,7 +214,7 @@ impl<'a> ExperimentContext<'a> {
     /// Runs and times a method.
     pub(super) fn run_timed(
         &self,
-        room: &LoadedScene,
+        loaded: &LoadedScene,
         backend: Backend,
         method: &dyn Configured,
         quantity: Quantity,
@@ -226,24 +226,24 @@ impl<'a> ExperimentContext<'a> {
             patience_ms: self.pick(usual.patience_ms, 5.0 * usual.patience_ms),
             ..usual
         };
-        self.measured(room, backend, method, (quantity, points), &sampling)
+        self.measured(loaded, backend, method, (quantity, points), &sampling)
     }
 
     /// The only place that measures.
     fn measured(
         &self,
-        room: &LoadedScene,
+        loaded: &LoadedScene,
         backend: Backend,
         method: &dyn Configured,
         (quantity, points): (Quantity, &Points),
         sampling: &Sampling,
     ) -> Result<MeasuredRun, RunError> {
-        let timed = measure_on(room, backend, method, quantity, points, sampling)?;
+        let timed = measure_on(loaded, backend, method, quantity, points, sampling)?;
         let run = Run {
             points: points.len(),
             truth_missing: Some("compared by the experiment".into()),
             own_model_missing: Some("compared by the experiment".into()),
-            ..Run::of(&room.scene().name, method, backend, quantity)
+            ..Run::of(&loaded.scene().name, method, backend, quantity)
         };
         let run = run_record::measured(run, &timed);
         Ok(MeasuredRun {
@@ -255,20 +255,20 @@ impl<'a> ExperimentContext<'a> {
     /// Runs the next frame of a sequence.
     pub(super) fn frame(
         &self,
-        room: &LoadedScene,
+        loaded: &LoadedScene,
         (running, backend): (&mut Sequence, Backend),
         method: &dyn Configured,
         quantity: Quantity,
         (points, seen, moves): (&Points, Option<VisibleTriangles<'_>>, Moves),
     ) -> Result<Shaded, RunError> {
-        let scene = room.scene();
+        let scene = loaded.scene();
         let frame = Frame {
             scene,
             moves,
             points,
             visible: seen,
         };
-        next_frame(room, backend, running, method, quantity, &frame)
+        next_frame(loaded, backend, running, method, quantity, &frame)
     }
 
     /// Whether times of a backend are a software adapter's.

@@ -25,15 +25,15 @@ const ENOUGH: f64 = 0.5;
 pub(super) fn cornell_box(context: &ExperimentContext<'_>) -> Result<Finding, RunError> {
     let mut finding = Finding::default();
     for lamp in ["area", "spot"] {
-        let room = context.room(
+        let loaded = context.load(
             &ExperimentScene::of("cornell-box").set("light", lamp),
             &mut finding,
         )?;
-        let view = context.view(&room)?;
+        let view = context.view(&loaded)?;
         let points = view.points(Quantity::Irradiance.layout());
-        let references = context.precise(&room, Quantity::Irradiance, &points);
+        let references = context.precise(&loaded, Quantity::Irradiance, &points);
         let case = format!("{lamp} light");
-        for light in compare(context, &room, (&case, &view, references), &mut finding)? {
+        for light in compare(context, &loaded, (&case, &view, references), &mut finding)? {
             finding.trials.push(enough(&case, &light));
             finding.trials.push(bleeds(&case, &light));
         }
@@ -43,11 +43,11 @@ pub(super) fn cornell_box(context: &ExperimentContext<'_>) -> Result<Finding, Ru
 
 pub(super) fn cave(context: &ExperimentContext<'_>) -> Result<Finding, RunError> {
     let mut finding = Finding::default();
-    let room = context.room(&ExperimentScene::of("cave"), &mut finding)?;
-    let view = context.view(&room)?;
+    let loaded = context.load(&ExperimentScene::of("cave"), &mut finding)?;
+    let view = context.view(&loaded)?;
     let points = view.points(Quantity::Irradiance.layout());
-    let references = context.references(&room, Quantity::Irradiance, &points);
-    for light in compare(context, &room, ("cave", &view, references), &mut finding)? {
+    let references = context.references(&loaded, Quantity::Irradiance, &points);
+    for light in compare(context, &loaded, ("cave", &view, references), &mut finding)? {
         finding.trials.push(enough("cave", &light));
     }
     Ok(finding)
@@ -95,7 +95,7 @@ pub(super) struct Published {
 /// Compares maps of 3×3 samples in a scene that is set up with the truth and a uniform ambient light.
 pub(super) fn compare(
     context: &ExperimentContext<'_>,
-    room: &LoadedScene,
+    loaded: &LoadedScene,
     (case, view, mut references): (&str, &View, References<'_>),
     finding: &mut Finding,
 ) -> Result<Vec<Published>, RunError> {
@@ -119,7 +119,7 @@ pub(super) fn compare(
     for backend in context.backends() {
         for fidelity in ["published", "corrected"] {
             let map = context.method("direct_radiance_map", &[("fidelity", &fidelity)])?;
-            let measured = context.run_once(room, backend, &*map, quantity, &points)?;
+            let measured = context.run_once(loaded, backend, &*map, quantity, &points)?;
             let estimate = &measured.estimate;
             let alike = Amount::exact(correlation(estimate, &truth.values));
             let energy =

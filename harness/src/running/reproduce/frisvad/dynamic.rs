@@ -33,12 +33,12 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
     for backend in context.backends() {
         frames(context, &scene, (backend, count), &mut finding)?;
     }
-    let room = context.set_up(&moved(&scene, 0.5))?;
-    let view = context.view(&room)?;
+    let loaded = context.set_up(&moved(&scene, 0.5))?;
+    let view = context.view(&loaded)?;
     let points = view.points(Quantity::Irradiance.layout());
-    let references = context.references(&room, Quantity::Irradiance, &points);
+    let references = context.references(&loaded, Quantity::Irradiance, &points);
     let what = ("middle of the sequence", &view, references);
-    bleeding::compare(context, &room, what, &mut finding)?;
+    bleeding::compare(context, &loaded, what, &mut finding)?;
     Ok(finding)
 }
 
@@ -54,13 +54,13 @@ fn frames(
     let mut row = Row::plain(format!("frames of the sequence, {backend}"));
     for index in 0..count {
         let t = f64::from(index) / f64::from(count - 1);
-        let room = context.set_up(&moved(scene, t as f32))?;
-        let view = context.view(&room)?;
+        let loaded = context.set_up(&moved(scene, t as f32))?;
+        let view = context.view(&loaded)?;
         let points = view.points(quantity.layout());
         let seen = (&points, view.visible(), MOVES);
-        let on = context.frame(&room, (&mut running, backend), &*map, quantity, seen)?;
+        let on = context.frame(&loaded, (&mut running, backend), &*map, quantity, seen)?;
         let anew = context.frame(
-            &room,
+            &loaded,
             (&mut Sequence::default(), backend),
             &*map,
             quantity,

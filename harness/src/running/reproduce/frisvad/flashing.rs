@@ -39,8 +39,8 @@ fn in_scene(
     finding: &mut Finding,
 ) -> Result<(), RunError> {
     let rest = context.scene(&ExperimentScene::of(scene).set("light.angle", 95), finding)?;
-    let room = context.set_up(&rest)?;
-    let view = context.view_of(&room, context.pick(5_000, 20_000))?;
+    let loaded = context.set_up(&rest)?;
+    let view = context.view_of(&loaded, context.pick(5_000, 20_000))?;
     let points = view.points(Quantity::Irradiance.layout());
     let sequences = sequences(context, &rest, &points)?;
     for (backend, maps) in context.backends().into_iter().zip(&sequences) {
@@ -82,7 +82,7 @@ fn sequences(
     let mut all: Vec<[Vec<Estimate>; 3]> = Vec::new();
     all.resize_with(context.backends().len(), Default::default);
     for index in 0..context.pick(24_u8, 90) {
-        let room = context.set_up(&swung(rest, f32::from(index) / 30.0))?;
+        let loaded = context.set_up(&swung(rest, f32::from(index) / 30.0))?;
         for (backend, maps) in context.backends().into_iter().zip(&mut all) {
             for ((_, samples, texels, fidelity, mip), frames) in MAPS.into_iter().zip(maps) {
                 let map = context.method(
@@ -95,7 +95,7 @@ fn sequences(
                     ],
                 )?;
                 let measured =
-                    context.run_once(&room, backend, &*map, Quantity::Irradiance, points)?;
+                    context.run_once(&loaded, backend, &*map, Quantity::Irradiance, points)?;
                 frames.push(measured.estimate);
             }
         }

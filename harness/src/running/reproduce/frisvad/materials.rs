@@ -27,10 +27,10 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
         material.albedo *= 1.0 - GLOSSY;
         material.shininess = SHININESS;
     }
-    let room = context.set_up(&scene)?;
-    let view = context.view(&room)?;
+    let loaded = context.set_up(&scene)?;
+    let view = context.view(&loaded)?;
     let points = view.points(quantity.layout());
-    let mut references = context.references(&room, quantity, &points);
+    let mut references = context.references(&loaded, quantity, &points);
     let truth = references.truth();
     let judge = Judge::new(truth, &points);
     let mut row = Row::rendered("irradiance", "path tracing", &view, &truth.values);
@@ -47,7 +47,7 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
                         ("samples_per_side", &5),
                     ],
                 )?;
-                let measured = context.run_once(&room, backend, &*map, quantity, &points)?;
+                let measured = context.run_once(&loaded, backend, &*map, quantity, &points)?;
                 let at = (fidelity, format!("{ERROR}, {caption}"));
                 finding.measure(at, backend, judge.error(&measured.estimate), "");
                 if backend == context.backends()[0] {

@@ -24,10 +24,10 @@ const SHOWN: [(&str, Mirrors); 3] = [
 
 pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> {
     let mut finding = Finding::default();
-    let room = context.room(&ExperimentScene::of("cave"), &mut finding)?;
+    let loaded = context.load(&ExperimentScene::of("cave"), &mut finding)?;
     let mut views = Vec::new();
     for (name, mirrors) in SHOWN {
-        views.push((name, look(context, &room, mirrors)?));
+        views.push((name, look(context, &loaded, mirrors)?));
     }
     let (direct, included) = (&views[0].1, &views[2].1);
     // Where only light in mirrors makes the difference.
@@ -38,7 +38,7 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
         .map(|(i, _)| i)
         .collect();
     let points = included.points(Quantity::Irradiance.layout());
-    let mut references = context.references(&room, Quantity::Irradiance, &points);
+    let mut references = context.references(&loaded, Quantity::Irradiance, &points);
     let truth = references.truth();
     let reference = lit(included, &truth.values);
     let materials = included.points(PointLayout::Material);
@@ -55,10 +55,10 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
     for backend in context.backends() {
         let mut pictures = Vec::new();
         // Few samples are too dark in mirrors and beside them alike.
-        let plain = shoot(context, &room, (included, backend), &mut finding)?;
+        let plain = shoot(context, &loaded, (included, backend), &mut finding)?;
         let factor = everywhere.factor(&plain);
         for (name, view) in &views {
-            let light = shoot(context, &room, (view, backend), &mut finding)?;
+            let light = shoot(context, &loaded, (view, backend), &mut finding)?;
             let image = lit(view, &scaled(&light, factor));
             let error = judge.error(&image.to_estimate());
             finding.measure((*name, "MSE / mean² in mirrors"), backend, error, "");
@@ -86,19 +86,19 @@ fn steps(judge: &Judge<'_>, backend: Backend, pictures: &[Estimate]) -> Vec<Tria
 
 fn look(
     context: &ExperimentContext<'_>,
-    room: &LoadedScene,
+    loaded: &LoadedScene,
     mirrors: Mirrors,
 ) -> Result<View, RunError> {
     let look = Look {
         at: ShadedAt::Pixels,
         mirrors,
     };
-    context.whole_view(room, context.pick(180, 640), look)
+    context.whole_view(loaded, context.pick(180, 640), look)
 }
 
 fn shoot(
     context: &ExperimentContext<'_>,
-    room: &LoadedScene,
+    loaded: &LoadedScene,
     (view, backend): (&View, Backend),
     finding: &mut Finding,
 ) -> Result<Estimate, RunError> {
@@ -107,7 +107,7 @@ fn shoot(
         &[("fidelity", &"corrected"), ("samples_per_side", &5)],
     )?;
     let points = view.points(Quantity::Irradiance.layout());
-    let measured = context.run_once(room, backend, &*map, Quantity::Irradiance, &points)?;
+    let measured = context.run_once(loaded, backend, &*map, Quantity::Irradiance, &points)?;
     finding.runs.push(measured.run);
     Ok(measured.estimate)
 }

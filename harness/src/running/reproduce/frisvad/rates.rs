@@ -27,11 +27,11 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
         .map(|b| (b, Vec::new()))
         .collect();
     for model in [None, Some("dragon"), Some("dragon_871k")] {
-        let (name, room) = in_the_box(context, model, &mut finding)?;
-        let scene = room.scene();
+        let (name, loaded) = in_the_box(context, model, &mut finding)?;
+        let scene = loaded.scene();
         let triangles = scene.objects.iter().map(|o| o.mesh.triangles.len()).sum();
         for (backend, columns) in &mut columns {
-            let times = times(context, &room, (&name, *backend), &mut finding)?;
+            let times = times(context, &loaded, (&name, *backend), &mut finding)?;
             columns.push((name.clone(), triangles, times));
         }
     }
@@ -65,17 +65,17 @@ fn in_the_box<'a>(
 
 fn times(
     context: &ExperimentContext<'_>,
-    room: &LoadedScene,
+    loaded: &LoadedScene,
     (name, backend): (&str, Backend),
     finding: &mut Finding,
 ) -> Result<Vec<Amount>, RunError> {
-    let view = context.view(room)?;
+    let view = context.view(loaded)?;
     let points = view.points(Quantity::Irradiance.layout());
     let software = context.software(backend);
     let mut all = Vec::new();
     for n in SAMPLES {
         let map = context.method("direct_radiance_map", &[("samples_per_side", &n)])?;
-        let measured = context.run_timed(room, backend, &*map, Quantity::Irradiance, &points)?;
+        let measured = context.run_timed(loaded, backend, &*map, Quantity::Irradiance, &points)?;
         let ms = measured.frame_ms();
         let rate = Amount::exact(1000.0).over(ms);
         finding.time(

@@ -25,14 +25,14 @@ const OFF: f64 = 1e-3;
 pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> {
     let mut finding = Finding::default();
     let map = context.method("direct_radiance_map", &[])?;
-    let facts_of = |room: &LoadedScene| room.scene().facts();
+    let facts_of = |loaded: &LoadedScene| loaded.scene().facts();
     for scene in ["cornell-box", "cave"] {
-        let room = context.room(&ExperimentScene::of(scene), &mut finding)?;
-        let needs = map.needs(Quantity::Irradiance, &facts_of(&room))?;
+        let loaded = context.load(&ExperimentScene::of(scene), &mut finding)?;
+        let needs = map.needs(Quantity::Irradiance, &facts_of(&loaded))?;
         for backend in context.backends() {
-            let mut views = rsms(&room, backend, &needs)?;
+            let mut views = rsms(&loaded, backend, &needs)?;
             let Some(view) = views.pop() else { continue };
-            let (photons, elsewhere, error) = check(&room, &view);
+            let (photons, elsewhere, error) = check(&loaded, &view);
             for (name, value) in [
                 ("photons", photons as f64),
                 ("share elsewhere", elsewhere),
@@ -63,9 +63,9 @@ fn judged(scene: &str, backend: Backend, [elsewhere, error]: [f64; 2]) -> [Trial
 
 /// Photons that no mirror brought, the share of them that a ray does not find, and the rms error of
 /// their radiance over its mean.
-fn check(room: &LoadedScene, view: &RsmImage) -> (usize, f64, f64) {
-    let (scene, size) = (room.scene(), view.size);
-    let geometry = room.cpu().scene.environment_objects();
+fn check(loaded: &LoadedScene, view: &RsmImage) -> (usize, f64, f64) {
+    let (scene, size) = (loaded.scene(), view.size);
+    let geometry = loaded.cpu().scene.environment_objects();
     let (mut photons, mut elsewhere) = (0_usize, 0_usize);
     let (mut square, mut sum) = (DVec3::ZERO, DVec3::ZERO);
     for (f, frame) in view.frames.iter().enumerate() {
@@ -74,7 +74,7 @@ fn check(room: &LoadedScene, view: &RsmImage) -> (usize, f64, f64) {
             let across = |v: u32| 2.0 * (f64::from(v) + 0.5) / f64::from(size) - 1.0;
             let (origin, along) = frame.ray(across(column), across(row));
             let hit =
-                room.cpu()
+                loaded.cpu()
                     .scene
                     .closest(geometry, origin, along.as_vec3(), geometry.ray_start());
             let Some(hit) = hit.filter(|h| view.path_m[i] > 0.0 && !h.material.mirror) else {

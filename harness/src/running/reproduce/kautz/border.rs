@@ -41,7 +41,7 @@ fn steps(
     (name, place): (&str, &ExperimentScene),
     finding: &mut Finding,
 ) -> Result<(), RunError> {
-    let room = context.room(place, finding)?;
+    let loaded = context.load(place, finding)?;
     let quantity = Quantity::GlossyRadiance;
     let (across, inside) = (pairs(1.0), pairs(0.4));
     for level in LEVELS {
@@ -52,7 +52,7 @@ fn steps(
                     "sh_mip_envmap",
                     &[("fidelity", &fidelity), ("lod", &level), ("f_lambda", &1)],
                 )?;
-                let measured = context.run_once(&room, backend, &*method, quantity, points)?;
+                let measured = context.run_once(&loaded, backend, &*method, quantity, points)?;
                 finding.runs.push(measured.run);
                 Ok::<_, RunError>(mean_step(&measured.estimate))
             };
@@ -138,8 +138,8 @@ fn pictures(
     let mut ball = place;
     ball.changes.receivers = vec!["sphere".into()];
     let ball = ball.set("receiver.diffuse", 0).set("receiver.specular", 1);
-    let room = context.room(&ball, finding)?;
-    let view = context.view(&room)?;
+    let loaded = context.load(&ball, finding)?;
+    let view = context.view(&loaded)?;
     let points = view.points(PointLayout::Material);
     let mut row = Row::plain(format!("{name}: a mirroring ball, level 5"));
     for (fidelity, caption) in [
@@ -152,7 +152,7 @@ fn pictures(
                 &[("fidelity", &fidelity), ("lod", &5), ("f_lambda", &1)],
             )?;
             let measured =
-                context.run_once(&room, backend, &*method, Quantity::GlossyRadiance, &points)?;
+                context.run_once(&loaded, backend, &*method, Quantity::GlossyRadiance, &points)?;
             row.add(
                 format!("{caption}, {backend}"),
                 view.image(&measured.estimate),

@@ -28,8 +28,8 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
         .under(environment)
         .set("receiver.diffuse", 0.4)
         .set("receiver.specular", 0.6);
-    let room = context.room(&place, &mut finding)?;
-    let view = context.view(&room)?;
+    let loaded = context.load(&place, &mut finding)?;
+    let view = context.view(&loaded)?;
     let points = view.points(PointLayout::Material);
     for backend in context.backends() {
         let mut shoot = |bias: f32, f_lambda: f32| {
@@ -43,7 +43,7 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
                 ],
             )?;
             let measured =
-                context.run_once(&room, backend, &*method, Quantity::GlossyRadiance, &points)?;
+                context.run_once(&loaded, backend, &*method, Quantity::GlossyRadiance, &points)?;
             finding.runs.push(measured.run);
             Ok::<_, RunError>(measured.estimate)
         };

@@ -16,11 +16,11 @@ const SAME: f64 = 0.05;
 pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> {
     let mut finding = Finding::default();
     for (name, place) in environments(context, &mut finding) {
-        let room = context.room(&place, &mut finding)?;
-        let view = context.view(&room)?;
+        let loaded = context.load(&place, &mut finding)?;
+        let view = context.view(&loaded)?;
         let points = view.points(Quantity::Irradiance.layout());
         let materials = view.points(Quantity::GlossyRadiance.layout());
-        let mut references = context.references(&room, Quantity::Irradiance, &points);
+        let mut references = context.references(&loaded, Quantity::Irradiance, &points);
         let exact = references.model(OwnModel::EnvironmentAtInfinity { bounces: 0 });
         let judge = Judge::new(exact, &points);
         let title = format!("{name}: irradiance");
@@ -31,17 +31,17 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
             let harmonics = context.method("sh_mip_envmap", &[])?;
             let convolved = context.method("classic_envmap", &[])?;
             let measured =
-                context.run_timed(&room, backend, &*harmonics, Quantity::Irradiance, &points)?;
+                context.run_timed(&loaded, backend, &*harmonics, Quantity::Irradiance, &points)?;
             // Points with a glossy part: the pyramid is then made too.
             let both = context.run_timed(
-                &room,
+                &loaded,
                 backend,
                 &*harmonics,
                 Quantity::GlossyRadiance,
                 &materials,
             )?;
             let slow =
-                context.run_timed(&room, backend, &*convolved, Quantity::Irradiance, &points)?;
+                context.run_timed(&loaded, backend, &*convolved, Quantity::Irradiance, &points)?;
             let rms = judge.relative_rms(&measured.estimate);
             finding.measure((name, "rms error / mean"), backend, rms, "");
             for (label, ms) in [

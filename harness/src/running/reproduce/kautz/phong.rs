@@ -24,19 +24,19 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
     let quantity = Quantity::GlossyRadiance;
     for (name, place) in environments(context, &mut finding) {
         let place = place.set("receiver.diffuse", 0).set("receiver.specular", 1);
-        let room = context.room(&place, &mut finding)?;
-        let view = context.view(&room)?;
+        let loaded = context.load(&place, &mut finding)?;
+        let view = context.view(&loaded)?;
         let points = view.points(quantity.layout());
         for backend in context.backends() {
             // With f_λ = 1 nothing but the filter is seen.
             let slow = context.method("phong_envmap", &[("exponent", &225), ("f_lambda", &1)])?;
-            let slow = context.run_timed(&room, backend, &*slow, quantity, &points)?;
+            let slow = context.run_timed(&loaded, backend, &*slow, quantity, &points)?;
             let reference = view.image(&slow.estimate);
             let title = format!("{name}, {backend}");
             let mut row = Row::against(title, "Phong, N = 225", reference.clone(), view.surfaces());
             for level in [MATCHING - 1, MATCHING, MATCHING + 1] {
                 let fast = context.method("sh_mip_envmap", &[("lod", &level), ("f_lambda", &1)])?;
-                let fast = context.run_timed(&room, backend, &*fast, quantity, &points)?;
+                let fast = context.run_timed(&loaded, backend, &*fast, quantity, &points)?;
                 let image = view.image(&fast.estimate);
                 let rms = Amount::exact(displayed_rms(&view.surfaces(), &image, &reference));
                 let label = format!("level {level}: rms of pictures");

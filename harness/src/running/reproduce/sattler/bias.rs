@@ -29,13 +29,13 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
 
 fn biases(context: &ExperimentContext<'_>, finding: &mut Finding) -> Result<(), RunError> {
     let quantity = Quantity::AmbientOcclusion;
-    let room = context.room(
+    let loaded = context.load(
         &ExperimentScene::of("studio").with(&context.mesh("bunny")),
         finding,
     )?;
-    let view = context.view(&room)?;
+    let view = context.view(&loaded)?;
     let points = view.points(quantity.layout());
-    let mut references = context.references(&room, quantity, &points);
+    let mut references = context.references(&loaded, quantity, &points);
     let truth = references.truth();
     let judge = Judge::new(truth, &points);
     let mut row = Row::rendered("openness", "traced rays", &view, &truth.values);
@@ -50,7 +50,7 @@ fn biases(context: &ExperimentContext<'_>, finding: &mut Finding) -> Result<(), 
                 "directional_ao",
                 &[("bias", &bias), ("map_resolution", &context.pick(256, 512))],
             )?;
-            let measured = context.run_once(&room, backend, &*method, quantity, &points)?;
+            let measured = context.run_once(&loaded, backend, &*method, quantity, &points)?;
             finding.measure(
                 (format!("bias {label}"), ERROR),
                 backend,

@@ -36,7 +36,7 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
         let time_s = 0.5 * f32::from(index) / f32::from(context.pick(2_u8, 8));
         let moment = Moment::of(context, &rest, time_s)?;
         let mut references =
-            context.references(&moment.room, Quantity::AmbientOcclusion, &moment.points);
+            context.references(&moment.loaded, Quantity::AmbientOcclusion, &moment.points);
         let truth = references.truth();
         let judge = Judge::at(&truth.values, Some(&truth.error), moment.seen());
         let (view, title) = (&moment.view, format!("at {time_s} s"));

@@ -21,13 +21,13 @@ const NEAR: f64 = 0.05;
 pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> {
     let mut finding = Finding::default();
     let quantity = Quantity::AmbientOcclusion;
-    let room = context.room(
+    let loaded = context.load(
         &ExperimentScene::of("studio").with(&context.mesh("buddha")),
         &mut finding,
     )?;
-    let view = context.view(&room)?;
+    let view = context.view(&loaded)?;
     let points = view.points(quantity.layout());
-    let mut references = context.precise(&room, quantity, &points);
+    let mut references = context.precise(&loaded, quantity, &points);
     let truth = references.truth();
     let judge = Judge::new(truth, &points);
     let mut row = Row::rendered("openness", "traced rays", &view, &truth.values);
@@ -42,7 +42,7 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
                     ("map_resolution", &context.pick(192, 512)),
                 ],
             )?;
-            let measured = context.run_once(&room, backend, &*method, quantity, &points)?;
+            let measured = context.run_once(&loaded, backend, &*method, quantity, &points)?;
             let rms = judge.relative_rms(&measured.estimate);
             let case = format!("k = {k}");
             finding.measure(

@@ -56,10 +56,10 @@ fn compare(
     finding: &mut Finding,
 ) -> Result<(), RunError> {
     let quantity = Quantity::Irradiance;
-    let room = context.room(&place, finding)?;
-    let view = context.view(&room)?;
+    let loaded = context.load(&place, finding)?;
+    let view = context.view(&loaded)?;
     let points = view.points(quantity.layout());
-    let mut references = context.references(&room, quantity, &points);
+    let mut references = context.references(&loaded, quantity, &points);
     // What the method leaves out beside its finite number of directions: light between surfaces.
     let black = references.model(OwnModel::OccludedEnvironment);
     let (black, black_error) = (black.values.clone(), black.error.clone());
@@ -79,7 +79,7 @@ fn compare(
         let open = context.method("sh_mip_envmap", &[])?;
         let mut estimates = Vec::new();
         for (label, method) in [("without occlusion", open), ("with occlusion", occluded)] {
-            let measured = context.run_once(&room, backend, &*method, quantity, &points)?;
+            let measured = context.run_once(&loaded, backend, &*method, quantity, &points)?;
             // The paper's sum has no weight: its pictures are as bright as they are made.
             let [to_all, to_own] = [&judge, &own].map(|judge| {
                 let estimate = scaled(&measured.estimate, judge.factor(&measured.estimate));

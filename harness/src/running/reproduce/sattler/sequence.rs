@@ -13,7 +13,7 @@ use interreflect_scene::{PointLayout, Points, Scene};
 
 /// A moment of a scene, where it can be shaded.
 pub(super) struct Moment {
-    pub(super) room: LoadedScene,
+    pub(super) loaded: LoadedScene,
     pub(super) view: View,
     pub(super) points: Points,
 }
@@ -25,14 +25,14 @@ impl Moment {
         rest: &Scene,
         time_s: f32,
     ) -> Result<Self, RunError> {
-        let room = context.set_up(&rest.at(time_s))?;
+        let loaded = context.set_up(&rest.at(time_s))?;
         let look = Look {
             at: ShadedAt::Vertices,
             ..Look::default()
         };
-        let view = context.whole_view(&room, context.pick(180, 512), look)?;
+        let view = context.whole_view(&loaded, context.pick(180, 512), look)?;
         let points = view.points(PointLayout::Surface);
-        Ok(Self { room, view, points })
+        Ok(Self { loaded, view, points })
     }
 
     /// Indices of the vertices that some pixel shows.
@@ -70,7 +70,7 @@ impl Moment {
         moves: Moves,
     ) -> Result<Shaded, RunError> {
         let what = (&self.points, self.view.visible(), moves);
-        context.frame(&self.room, on, method, quantity, what)
+        context.frame(&self.loaded, on, method, quantity, what)
     }
 }
 

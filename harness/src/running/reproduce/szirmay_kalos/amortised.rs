@@ -62,10 +62,10 @@ fn moved_by(
     moved: f32,
     finding: &mut Finding,
 ) -> Result<(), RunError> {
-    let room = context.room(&place(context, moved, 1), finding)?;
-    let view = context.view(&room)?;
+    let loaded = context.load(&place(context, moved, 1), finding)?;
+    let view = context.view(&loaded)?;
     let points = view.points(Quantity::Irradiance.layout());
-    let mut references = context.references(&room, Quantity::Irradiance, &points);
+    let mut references = context.references(&loaded, Quantity::Irradiance, &points);
     let truth = references.truth();
     let judge = Judge::new(truth, &points);
     let case = format!("moved {moved} m");
@@ -75,7 +75,7 @@ fn moved_by(
         for (label, within_m) in [("fresh", 0.0), ("reused", 1.0)] {
             let method = map(context, within_m)?;
             let measured =
-                context.run_timed(&room, backend, &*method, Quantity::Irradiance, &points)?;
+                context.run_timed(&loaded, backend, &*method, Quantity::Irradiance, &points)?;
             if backend == context.backends()[0] {
                 row.add(label, view.image(&measured.estimate));
             }
@@ -112,19 +112,19 @@ fn shared(
         .objects_of(Role::Receiver)
         .map(|o| middle(&o.mesh))
         .collect();
-    let room = context.set_up(&scene)?;
-    let view = context.view(&room)?;
+    let loaded = context.set_up(&scene)?;
+    let view = context.view(&loaded)?;
     let points = view.points(Quantity::Irradiance.layout());
-    let mut references = context.references(&room, Quantity::Irradiance, &points);
+    let mut references = context.references(&loaded, Quantity::Irradiance, &points);
     let truth = references.truth();
     let judge = Judge::new(truth, &points);
     let method = map(context, 0.0)?;
-    let mut shoot = |room: &LoadedScene| {
-        let measured = context.run_timed(room, backend, &*method, Quantity::Irradiance, &points)?;
+    let mut shoot = |loaded: &LoadedScene| {
+        let measured = context.run_timed(loaded, backend, &*method, Quantity::Irradiance, &points)?;
         finding.runs.push(measured.run.clone());
         Ok::<_, RunError>(measured)
     };
-    let one = shoot(&room)?;
+    let one = shoot(&loaded)?;
     let mut own = Vec::new();
     for &at in &middles {
         let mut there = scene.clone();

@@ -58,10 +58,10 @@ pub(super) fn run(
                 .set("receiver.diffuse", diffuse)
                 .set("receiver.specular", specular)
                 .set("receiver.shininess", 5);
-            let room = context.room(&room, &mut finding)?;
+            let loaded = context.load(&room, &mut finding)?;
             let words = format!("{reflection:?}").to_lowercase();
             let case = format!("{words} {}, {place}", model.name);
-            compare(context, &room, (&case, reflection), &mut finding)?;
+            compare(context, &loaded, (&case, reflection), &mut finding)?;
         }
     }
     Ok(finding)
@@ -69,7 +69,7 @@ pub(super) fn run(
 
 fn compare(
     context: &ExperimentContext<'_>,
-    room: &LoadedScene,
+    loaded: &LoadedScene,
     (case, reflection): (&str, Reflection),
     finding: &mut Finding,
 ) -> Result<(), RunError> {
@@ -77,10 +77,10 @@ fn compare(
         Reflection::Diffuse => Quantity::Irradiance,
         Reflection::Specular => Quantity::GlossyRadiance,
     };
-    let view = context.view(room)?;
+    let view = context.view(loaded)?;
     let points = view.points(quantity.layout());
-    let mut references = context.references(room, quantity, &points);
-    let mut complete = context.references(room, quantity, &points);
+    let mut references = context.references(loaded, quantity, &points);
+    let mut complete = context.references(loaded, quantity, &points);
     let all = context.pick(None, Some(())).map(|()| complete.truth());
     let truth = references.model(OwnModel::LightTransport(UNSHADOWED));
     let judge = Judge::new(truth, &points);
@@ -91,7 +91,7 @@ fn compare(
     let mut row = Row::rendered(case, "reference", &view, &truth.values);
     for backend in context.backends() {
         let mut shoot = |label: &str, method: &dyn Configured| {
-            let measured = context.run_once(room, backend, method, quantity, &points)?;
+            let measured = context.run_once(loaded, backend, method, quantity, &points)?;
             let estimate = brought(&measured.estimate);
             finding.measure(
                 (case, format!("{ERROR}, {label}")),

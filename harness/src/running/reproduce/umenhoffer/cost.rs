@@ -28,10 +28,10 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
         .set("reference.offset", 0)
         .with(&context.mesh("dragon"))
         .set("receiver.size", 0.9);
-    let room = context.room(&place, &mut finding)?;
-    let view = context.view(&room)?;
+    let loaded = context.load(&place, &mut finding)?;
+    let view = context.view(&loaded)?;
     let points = view.points(Quantity::Irradiance.layout());
-    let mut references = context.references(&room, Quantity::Irradiance, &points);
+    let mut references = context.references(&loaded, Quantity::Irradiance, &points);
     let truth = references.truth();
     let mut row = Row::rendered("irradiance, M = 4", "path tracing", &view, &truth.values);
     for backend in context.backends() {
@@ -40,7 +40,7 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
         for (label, id) in METHODS {
             let method = context.method(id, &[("bounces", &4)])?;
             let measured =
-                context.run_timed(&room, backend, &*method, Quantity::Irradiance, &points)?;
+                context.run_timed(&loaded, backend, &*method, Quantity::Irradiance, &points)?;
             for (name, ms) in [
                 ("preparing", measured.prepare_ms()),
                 ("shading", measured.shade_ms()),

@@ -26,10 +26,10 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
         .set("receiver.place", "floor")
         .set("receiver.gap", 0.01)
         .set("receiver.size", 0.9);
-    let room = context.room(&place, &mut finding)?;
-    let view = context.view(&room)?;
+    let loaded = context.load(&place, &mut finding)?;
+    let view = context.view(&loaded)?;
     let points = view.points(quantity.layout());
-    let mut references = context.references(&room, quantity, &points);
+    let mut references = context.references(&loaded, quantity, &points);
     let truth = references.model(UNSHADOWED);
     let judge = Judge::new(truth, &points);
     for m in [4_u32, 8] {
@@ -38,7 +38,7 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
         for backend in context.backends() {
             let mut shoot = |label: &str, id: &str, parameters: &[(&str, &dyn ToString)]| {
                 let method = context.method(id, parameters)?;
-                let measured = context.run_once(&room, backend, &*method, quantity, &points)?;
+                let measured = context.run_once(&loaded, backend, &*method, quantity, &points)?;
                 let at = |name: &str| (format!("M = {m}, {label}"), name.to_owned());
                 finding.measure(at(ERROR), backend, judge.error(&measured.estimate), "");
                 let spike = Amount::exact(judge.spike(&measured.estimate));

@@ -32,22 +32,22 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
         .set("reference.offset", 0)
         .set("block", false)
         .set("receiver.size", 0.01);
-    let room = context.room(&place, &mut finding)?;
+    let loaded = context.load(&place, &mut finding)?;
     for distance_m in DISTANCES_M {
-        at(context, &room, distance_m, &mut finding)?;
+        at(context, &loaded, distance_m, &mut finding)?;
     }
     Ok(finding)
 }
 
 fn at(
     context: &ExperimentContext<'_>,
-    room: &LoadedScene,
+    loaded: &LoadedScene,
     distance_m: f32,
     finding: &mut Finding,
 ) -> Result<(), RunError> {
     let edge = context.pick(64, 128);
     let points = plane(edge, distance_m - 1.0);
-    let mut references = context.references(room, Quantity::Irradiance, &points);
+    let mut references = context.references(loaded, Quantity::Irradiance, &points);
     let truth = references.truth();
     let judge = Judge::new(truth, &points);
     let case = format!("{distance_m} m from the wall");
@@ -63,7 +63,7 @@ fn at(
         let mut spike = |label: &str, id: &str, parameters: &[(&str, &dyn ToString)]| {
             let method = context.method(id, parameters)?;
             let measured =
-                context.run_once(room, backend, &*method, Quantity::Irradiance, &points)?;
+                context.run_once(loaded, backend, &*method, Quantity::Irradiance, &points)?;
             let spike = judge.spike(&measured.estimate);
             finding.measure(
                 (&*case, format!("spike of {label} / mean")),
