@@ -152,10 +152,11 @@ fn the_readme_has_a_row_for_each_estimator() {
     for entry in Registry::builtin().entries() {
         let info = entry.info();
         let from = info.references.iter().map(|r| {
-            let year = r.year;
+            let first = r.authors.split(',').next().unwrap_or_default();
+            let surname = first.rsplit(' ').next().unwrap_or_default();
             match r.doi {
-                Some(doi) => format!("[{year}](https://doi.org/{doi})"),
-                None => year.to_string(),
+                Some(doi) => format!("[{surname} {}](https://doi.org/{doi})", r.year),
+                None => format!("{surname} {}", r.year),
             }
         });
         let from: Vec<String> = from.collect();

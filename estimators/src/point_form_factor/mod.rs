@@ -22,7 +22,7 @@ impl Method for PointFormFactor {
     const INFO: Info = Info {
         id: "point_form_factor",
         title: "Point-to-point form factors",
-        summary: "the texels of a cube map with distances as virtual point lights, which are too bright near a surface: for comparison",
+        summary: "the texels of a cube map with distances as virtual point lights, which are too bright near a surface; for comparison",
         references: &[Reference {
             authors: "A. Keller",
             title: "Instant Radiosity",
