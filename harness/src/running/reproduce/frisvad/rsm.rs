@@ -74,7 +74,8 @@ fn check(loaded: &LoadedScene, view: &RsmImage) -> (usize, f64, f64) {
             let across = |v: u32| 2.0 * (f64::from(v) + 0.5) / f64::from(size) - 1.0;
             let (origin, along) = frame.ray(across(column), across(row));
             let hit =
-                loaded.cpu()
+                loaded
+                    .cpu()
                     .scene
                     .closest(geometry, origin, along.as_vec3(), geometry.ray_start());
             let Some(hit) = hit.filter(|h| view.path_m[i] > 0.0 && !h.material.mirror) else {

@@ -151,8 +151,13 @@ fn pictures(
                 "sh_mip_envmap",
                 &[("fidelity", &fidelity), ("lod", &5), ("f_lambda", &1)],
             )?;
-            let measured =
-                context.run_once(&loaded, backend, &*method, Quantity::GlossyRadiance, &points)?;
+            let measured = context.run_once(
+                &loaded,
+                backend,
+                &*method,
+                Quantity::GlossyRadiance,
+                &points,
+            )?;
             row.add(
                 format!("{caption}, {backend}"),
                 view.image(&measured.estimate),

@@ -42,8 +42,13 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
                     ("f_lambda", &f_lambda),
                 ],
             )?;
-            let measured =
-                context.run_once(&loaded, backend, &*method, Quantity::GlossyRadiance, &points)?;
+            let measured = context.run_once(
+                &loaded,
+                backend,
+                &*method,
+                Quantity::GlossyRadiance,
+                &points,
+            )?;
             finding.runs.push(measured.run);
             Ok::<_, RunError>(measured.estimate)
         };

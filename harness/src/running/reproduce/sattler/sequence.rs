@@ -32,7 +32,11 @@ impl Moment {
         };
         let view = context.whole_view(&loaded, context.pick(180, 512), look)?;
         let points = view.points(PointLayout::Surface);
-        Ok(Self { loaded, view, points })
+        Ok(Self {
+            loaded,
+            view,
+            points,
+        })
     }
 
     /// Indices of the vertices that some pixel shows.

@@ -120,7 +120,8 @@ fn shared(
     let judge = Judge::new(truth, &points);
     let method = map(context, 0.0)?;
     let mut shoot = |loaded: &LoadedScene| {
-        let measured = context.run_timed(loaded, backend, &*method, Quantity::Irradiance, &points)?;
+        let measured =
+            context.run_timed(loaded, backend, &*method, Quantity::Irradiance, &points)?;
         finding.runs.push(measured.run.clone());
         Ok::<_, RunError>(measured)
     };
