@@ -23,6 +23,18 @@ BY_NATURE = [
     (r": (interreflect\.)?command$|: invocation\b", "a command line names the program"),
     (r": interreflect\.commit$|\bmachines?\b", "the program's commit and versions, the machine's identity"),
 ]
+# What was changed on purpose since the oldest build that is still compared (CHANGELOG.md), likewise. It is counted, and
+# shown apart.
+ON_PURPOSE = [
+    (r"\bbytes\.own\b", "what methods prepare on the CPU has fewer wrappers"),
+    (r"^verify\.json: .*\bcases$", "rules are tried in more scenes"),
+    (r"^verify\.json: (summary|counts|failed|passed)", "there are other checks"),
+    (
+        r"^verify\.json: checks\[.*, (unprepared|shaders_valid|\w+_parity|at_points)\]",
+        "checks that are new, or that the compiler makes now",
+    ),
+    (r"^list\.json: .*\[reference\.offset\]", "a setting that is new"),
+]
 # Files that are not compared: pages, which are made of the values; journals and traced references, whose
 # keys are digests of the program; standard error.
 NO_RESULTS = {".html", ".jsonl", ".bin", ".err"}
@@ -36,6 +48,7 @@ SENTENCES = set(
 RENAMED = {
     "records": "runs",
     "conclusive": "above_noise",
+    "not_applicable": "unclaimed_falsified",
 }
 # What an entry of a list is about.
 IDENTITY = "scene quantity estimator fidelity params settings backend check id name".split()
@@ -67,7 +80,7 @@ def about(entry):
 
     def words(value):
         if isinstance(value, dict):
-            return " ".join(f"{key}={value[key]}" for key in value)
+            return " ".join(f"{key}={canonical(value[key])}" for key in value)
         return RENAMED.get(value, value) if isinstance(value, str) else json.dumps(value)
 
     # A scene's list of settings describes them; it does not tell the scene from others.
@@ -132,16 +145,43 @@ def exr_values(data):
 
 
 def png_values(data):
-    """(path, value) of a PNG file: its header, and its filtered pixels."""
-    at, packed = 8, b""
+    """(path, value) of a PNG file of 8 bits a channel, not interlaced: its header, and its pixels. Encoders are free in
+    how they filter lines: that is undone."""
+    at, packed, header = 8, b"", b""
     while at < len(data):
         size, kind = struct.unpack_from(">I4s", data, at)
         if kind == b"IHDR":
-            yield "header", data[at + 8 : at + 8 + size]
+            header = data[at + 8 : at + 8 + size]
+            yield "header", header
         if kind == b"IDAT":
             packed += data[at + 8 : at + 8 + size]
         at += 12 + size
-    yield "pixels", zlib.decompress(packed)
+    width, height, depth, kind, _, _, interlaced = struct.unpack(">2I5B", header)
+    channels = {0: 1, 2: 3, 4: 2, 6: 4}.get(kind)
+    if depth != 8 or interlaced or channels is None:
+        raise ValueError(f"a PNG file of {depth} bits a channel, kind {kind}")
+    yield "pixels", unfiltered(zlib.decompress(packed), height, width * channels, channels)
+
+
+def unfiltered(data, height, row, channels):
+    """The lines of a PNG image without their filters (PNG specification, section 9)."""
+    pixels, above = b"", bytes(row)
+    for y in range(height):
+        kind, *line = data[y * (row + 1) : (y + 1) * (row + 1)]
+        for x, up in enumerate(above):
+            left, corner = (line[x - channels], above[x - channels]) if x >= channels else (0, 0)
+            line[x] = (line[x] + predicted(kind, left, up, corner)) & 255
+        above = bytes(line)
+        pixels += above
+    return pixels
+
+
+def predicted(kind, left, up, corner):
+    """What a PNG filter expects of a byte from its neighbours."""
+    if kind == 4:
+        by = left + up - corner
+        return min((left, up, corner), key=lambda near: abs(by - near))
+    return (0, left, up, (left + up) // 2)[kind]
 
 
 READERS = {".json": json_values, ".csv": csv_values, ".exr": exr_values, ".png": png_values}
@@ -167,7 +207,8 @@ class Command:
     """What was compared of one command's results."""
 
     def __init__(self):
-        self.same, self.not_compared, self.different, self.reworded = 0, 0, [], []
+        self.same, self.not_compared = 0, 0
+        self.different, self.on_purpose, self.reworded = [], [], []
 
     def compare(self, name, old, new):
         for path in dict.fromkeys([*old, *new]):
@@ -177,6 +218,8 @@ class Command:
                 self.not_compared += 1
             elif was == now:
                 self.same += len(was) // 4 if isinstance(was, bytes) else 1
+            elif any(re.search(pattern, place) for pattern, _ in ON_PURPOSE):
+                self.on_purpose.append((place, was, now))
             elif path.rsplit(".")[-1] in SENTENCES:
                 self.reworded.append((place, was, now))
             else:
@@ -185,9 +228,11 @@ class Command:
     def report(self, name):
         print(
             f"{name}: {self.same} values are the same, {len(self.different)} differ"
-            f" ({self.not_compared} not compared by nature, {len(self.reworded)} sentences in other words)"
+            f" ({self.not_compared} not compared by nature, {len(self.on_purpose)} changed on purpose,"
+            f" {len(self.reworded)} sentences in other words)"
         )
-        for word, found in (("differs", self.different), ("other words", self.reworded)):
+        differences = (("differs", self.different), ("on purpose", self.on_purpose), ("other words", self.reworded))
+        for word, found in differences:
             for place, was, now in found[:SHOWN]:
                 print(f"  {word}: {place}\n    old: {shown(was)}\n    new: {shown(now)}")
 
@@ -208,7 +253,8 @@ def main(old, new):
         command.report(name)
     same = sum(c.same for c in commands.values())
     different = sum(len(c.different) for c in commands.values())
-    print(f"{len(commands)} commands: {same} values are the same, {different} differ")
+    on_purpose = sum(len(c.on_purpose) for c in commands.values())
+    print(f"{len(commands)} commands: {same} values are the same, {different} differ, {on_purpose} changed on purpose")
     return 1 if different or not same else 0
 
 
