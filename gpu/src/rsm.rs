@@ -1,11 +1,11 @@
-//! Views from the lights in storage buffers.
+//! Reflective shadow maps in storage buffers.
 
 use crate::{GpuContext, GpuError};
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec3, Vec4};
 use interreflect_scene::{Bounds, LightFrame, RsmImage, RsmSpec, TrueColors};
 
-/// Views from every light: buffers of texels, frame by frame and row by row as in
+/// Reflective shadow maps of every light: buffers of texels, frame by frame and row by row as in
 /// [`RsmImage`], which compute shaders read. A texel whose way has length 0 is no photon.
 #[derive(Clone, Debug)]
 pub struct GpuRsm {

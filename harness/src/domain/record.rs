@@ -2,6 +2,8 @@
 //!
 //! Times are in milliseconds, errors in the units of the compared quantity. A number that does not
 //! exist is `null`, never a stand-in, and says why beside it.
+//!
+//! Longer than most: the contract is read in one place.
 
 mod error_breakdown;
 mod invocation;

@@ -1,3 +1,4 @@
+//! Longer than most: one sample struct has a parameter of each kind, and all tests are of it.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use super::*;

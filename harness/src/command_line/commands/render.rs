@@ -8,10 +8,11 @@ use crate::domain::image::{Exposure, HdrImage};
 use crate::domain::record::{Backend, Phases, Run};
 use crate::presenting::output::{Header, write_exr, write_png};
 use crate::running::clock::Sampling;
-use crate::running::context::GpuUse;
+use crate::running::context::{Context, GpuUse};
 use crate::running::on_backend::{Timed, measure_on};
 use crate::running::view::View;
 use glam::Vec3;
+use interreflect_estimators::execution::LoadedScene;
 use interreflect_estimators::{Configured, Quantity, Registry};
 use interreflect_scene::{Camera, Estimate, PointLayout, Points, Scene};
 use serde::Serialize;
@@ -36,25 +37,30 @@ struct Rendered {
     png: PathBuf,
 }
 
-pub(super) fn run(
+/// The context of a `render`, its method, and its scene on the backends that it runs on.
+pub(super) fn opened(
     command: &Render,
     registry: Registry,
-    invoked: &Invoked,
-) -> Result<(), CommandError> {
+) -> Result<(Context, Box<dyn Configured>, LoadedScene), CommandError> {
     let (context, method) = with_method(
         registry,
         &command.run,
         &command.estimator,
         &command.settings,
     )?;
-    let shown = Shown::choose(&*method, command.quantity);
     let gpu = GpuUse::required_in(command.backend.list());
-    let loaded = load(
-        &context,
-        (&*command.scene, &command.scene_options),
-        &command.settings,
-        gpu,
-    )?;
+    let scene = (&*command.scene, &command.scene_options);
+    let loaded = load(&context, scene, &command.settings, gpu)?;
+    Ok((context, method, loaded))
+}
+
+pub(super) fn run(
+    command: &Render,
+    registry: Registry,
+    invoked: &Invoked,
+) -> Result<(), CommandError> {
+    let (context, method, loaded) = opened(command, registry)?;
+    let shown = Shown::choose(&*method, command.quantity);
     let scene = &loaded.cpu().scene;
     let camera = resized(scene.scene(), command);
     let view = context

@@ -1,14 +1,13 @@
-//! `render --show rsm`: the pictures that an estimator takes from the lights, side by side
+//! `render --show rsm`: the reflective shadow maps that an estimator uses, side by side
 //! (P3, Figure 6).
 
-use super::render::OUT;
-use super::{load, print_line, with_method};
+use super::print_line;
+use super::render::{OUT, opened};
 use crate::command_line::cli::Render;
 use crate::command_line::error::CommandError;
 use crate::command_line::invocation::Invoked;
 use crate::domain::image::{Exposure, HdrImage};
 use crate::presenting::output::{Header, write_exr, write_png};
-use crate::running::context::GpuUse;
 use crate::running::on_backend::rsms;
 use glam::Vec3;
 use interreflect_estimators::{Quantity, Registry};
@@ -22,15 +21,7 @@ pub(super) fn run(
     registry: Registry,
     invoked: &Invoked,
 ) -> Result<(), CommandError> {
-    let (context, method) = with_method(
-        registry,
-        &command.run,
-        &command.estimator,
-        &command.settings,
-    )?;
-    let gpu = GpuUse::required_in(command.backend.list());
-    let scene = (&*command.scene, &command.scene_options);
-    let loaded = load(&context, scene, &command.settings, gpu)?;
+    let (context, method, loaded) = opened(command, registry)?;
     let scene = loaded.scene();
     let quantity = command.quantity.or(method.quantities().first().copied());
     let quantity = quantity.unwrap_or(Quantity::Irradiance);

@@ -1,4 +1,6 @@
 //! What a campaign does: scenes × what varies in them × quantities × methods × backends, as a list.
+//!
+//! Longer than most: from options to tasks is one way, and its unit tests stand with it.
 
 use super::axis::Axis;
 use super::run_settings::RunSettings;
