@@ -8,7 +8,7 @@ use models::Reflection::{Diffuse, Specular};
 
 const CLAIM_OF_MODELS: &str = "Localized cube maps of few texels come close to the reference \
     wherever the model stands, classic environment mapping does not. Test: the model in the \
-    middle of a coloured loaded, half-way to a wall and beside it, at M = 2, 4 and 16.";
+    middle of a coloured room, half-way to a wall and beside it, at M = 2, 4 and 16.";
 const RULE_OF_MODELS: &str = "A trial is a place, M and backend: the published map's mean squared \
     error against a path-traced reference is below classic mapping's by more than the reference's \
     noise. The reference leaves out the model's shadows on itself, which neither map has; captures \
@@ -61,7 +61,7 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
             the object has moved far.",
         rule: "A trial is a distance moved and a backend: a frame with the reused cube map takes \
             less time than one with a fresh map, beyond the spread of both; and, up to a quarter of the \
-            half-width of the loaded, its mean squared error against the truth is less than twice \
+            half-width of the room, its mean squared error against the truth is less than twice \
             that of the fresh map, beyond the reference's noise. For two objects: the same, one \
             map between them against a map for each.",
         run: amortised::run,

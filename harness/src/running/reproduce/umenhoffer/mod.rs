@@ -13,7 +13,7 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         item: "Figure 4",
         title: "spikes near a wall",
         claim: "Point-to-point form factors spike near a wall, point-to-polygon form factors do \
-            not. Test: a plane that faces a wall of a coloured loaded, ever nearer, M = 4.",
+            not. Test: a plane that faces a wall of a coloured room, ever nearer, M = 4.",
         rule: "A trial is a distance, within a quarter of a texel's width, and a backend: the \
             largest excess over the truth, beyond its noise, is for points more than the truth's \
             mean, and for polygons, published and corrected, less than half of that for points.",
