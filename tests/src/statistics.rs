@@ -10,7 +10,7 @@ mod score;
 pub use score::{largest_bound, score, score_of};
 
 use glam::DVec3;
-use interreflect_cpu::path_tracer::{REPLICATES, STUDENT_AT_4_SIGMA, Traced};
+use interreflect_cpu::path_tracer::{REPLICATES, Traced};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 /// Probability that one of the three tests rejects what is right: one in a thousand, as a suite has
@@ -190,7 +190,7 @@ struct Deviation {
     difference: f64,
     /// Square of the standard deviation, from the spreads of the terms.
     variance: f64,
-    /// Square of what the terms' standard errors hold beyond their spreads.
+    /// Square of what the terms' spreads can't tell.
     floor: f64,
     /// Degrees of freedom of the variance (Welch & Satterthwaite).
     freedom: f64,
@@ -211,8 +211,7 @@ impl Deviation {
             let term = spread * spread;
             variance += term;
             uncertainty += term * term / each;
-            let scaled = term * STUDENT_AT_4_SIGMA * STUDENT_AT_4_SIGMA;
-            floor += (of(&traced.standard_error).powi(2) - scaled).max(0.0);
+            floor += of(&traced.unseen).powi(2);
         }
         let freedom = match variance * variance / uncertainty {
             ratio if ratio.is_finite() => ratio,

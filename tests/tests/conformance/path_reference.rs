@@ -1,5 +1,6 @@
 //! The path tracer on trial: against exact answers, against itself, and light paths that add up.
 
+mod coverage;
 mod exact;
 mod form_factors;
 mod images;
@@ -24,6 +25,7 @@ pub(crate) fn trials() -> Vec<Trial> {
         openness::trials(),
         images::trials(),
         selections::trials(),
+        coverage::trials(),
     ];
     groups.into_iter().flatten().collect()
 }
