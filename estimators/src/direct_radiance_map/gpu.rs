@@ -133,9 +133,11 @@ impl GpuPhotons {
             ("normals_known", flag(method.captured().channels.normal)),
         ];
         let per_view = method.samples_per_side.pow(2);
-        let (entry, workgroups) = match method.mip {
-            true => ("gather_means", [per_view, views.frames().len() as u32, 1]),
-            false => ("gather_middles", [count.div_ceil(64), 1, 1]),
+        let cells = [per_view, views.frames().len() as u32, 1];
+        let (entry, workgroups) = match (method.mip, method.averages_cells()) {
+            (_, true) => ("gather_cells", cells),
+            (true, false) => ("gather_means", cells),
+            (false, false) => ("gather_middles", [count.div_ceil(64), 1, 1]),
         };
         let kernel = context.kernel_with(&PHOTONS, entry, &constants, &bindings)?;
         kernel.record(cx, workgroups);
@@ -249,7 +251,7 @@ mod tests {
     #[test]
     fn structs_have_the_same_layout() {
         assert_layout!(PHOTONS, Gather, [samples, per_side, size, diagonal2]);
-        assert_layout!(PHOTONS, Sample, [texel, measure, parallel, share_sr]);
+        assert_layout!(PHOTONS, Sample, [texel, measure, half, share_sr]);
         assert_layout!(
             PHOTONS,
             Photon,

@@ -116,6 +116,11 @@ impl DirectRadianceMap {
         }
     }
 
+    /// Whether a photon is the mean of all that its cell shows, and not of radiance alone.
+    fn averages_cells(&self) -> bool {
+        self.mip && self.fidelity == Fidelity::Corrected
+    }
+
     /// Whether each sample lies in the middle of its cell, so that a mirrored view has mirrored samples.
     fn sees_middles(&self) -> bool {
         let texels = self.map_resolution / self.samples_per_side;

@@ -56,7 +56,7 @@ pub struct DirectRadianceMap {
     pub solid_angle: SolidAngle,
     /// A sample's size: its cell of the grid, or a texel of the map, which loses the light in between.
     pub texel: TexelOf,
-    /// A sample's radiance is the mean over its cell, against flashing (§5).
+    /// A sample's radiance (corrected: its place, normal and area too) is the mean over its cell, against flashing (§5).
     #[default(false)]
     pub mip: bool,
     /// Lit surfaces reflect by Lambert's law, or by their whole material.

@@ -23,7 +23,8 @@ struct Gather {
 struct Sample {
     texel: u32,
     measure: f32,
-    parallel: u32,
+    // Tangent of half the view's full angle; 0 where rays are parallel.
+    half: f32,
     share_sr: f32,
 }
 
@@ -51,11 +52,16 @@ fn reflected(texel: u32) -> Reflected {
     return Reflected(radiances[texel].rgb, vec3f(0.0));
 }
 
+// b in m, or 1 where rays are parallel.
+fn way(texel: u32, half: f32) -> f32 {
+    return select(1.0, positions[texel].w, half > 0.0);
+}
+
 fn extent(place: Sample) -> f32 {
     if extent_kind == 0u {
         return place.share_sr;
     }
-    let across = area_across(place.measure, select(positions[place.texel].w, 1.0, place.parallel == 1u));
+    let across = area_across(place.measure, way(place.texel, place.half));
     if extent_kind == 1u {
         return omega_far(across, gather.diagonal2);
     }
@@ -130,4 +136,96 @@ fn gather_means(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_i
     if lane == 0u && positions[place.texel].w > 0.0 {
         write_photon(index, place, Reflected(lane_diffuse[0], lane_specular[0]));
     }
+}
+
+// Sums over the texels of a cell that show a photon: as `Cell` in samples.rs.
+struct Cell {
+    diffuse: vec3f,
+    total: f32,
+    specular: vec3f,
+    lit: f32,
+    position: vec3f,
+    area: f32,
+    normal: vec3f,
+    shininess: f32,
+    to_light: vec3f,
+}
+
+var<workgroup> cells: array<Cell, 64>;
+
+// Solid angle of a texel over that of one in the middle of the view: 1 where rays are parallel.
+fn density(half: f32, texel: vec2u) -> f32 {
+    let at = half * (2.0 * (vec2f(texel) + 0.5) / f32(gather.size) - 1.0);
+    let l2 = 1.0 + dot(at, at);
+    return 1.0 / (l2 * sqrt(l2));
+}
+
+fn add_texel(sum: ptr<function, Cell>, texel: u32, rays: f32, half: f32) {
+    let across = area_across(rays, way(texel, half));
+    let cos_light = normals[texel].w;
+    let area = lit_area(across, cos_light);
+    let here = reflected(texel);
+    (*sum).lit += rays;
+    (*sum).area += lit_area(across, max(cos_light, 1.0 / f32(gather.per_side)));
+    (*sum).diffuse += here.diffuse * area;
+    (*sum).specular += here.specular * area;
+    (*sum).position += positions[texel].xyz * rays;
+    (*sum).normal += normals[texel].xyz * rays;
+    if shining {
+        (*sum).to_light += true_colors[texel].to_light * rays;
+        (*sum).shininess += true_colors[texel].shininess * rays;
+    }
+}
+
+fn both(a: Cell, b: Cell) -> Cell {
+    return Cell(
+        a.diffuse + b.diffuse, a.total + b.total, a.specular + b.specular, a.lit + b.lit,
+        a.position + b.position, a.area + b.area, a.normal + b.normal, a.shininess + b.shininess,
+        a.to_light + b.to_light,
+    );
+}
+
+fn unit(v: vec3f) -> vec3f {
+    let l2 = dot(v, v);
+    return select(vec3f(0.0), v * inverseSqrt(max(l2, 1e-30)), l2 > 1e-30);
+}
+
+// One sample a workgroup: the mean of all that its cell shows.
+@compute @workgroup_size(64)
+fn gather_cells(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lane: u32) {
+    let n = gather.per_side;
+    let cell = vec2u(group.x % n, group.x / n);
+    let first = cell * gather.size / n;
+    let count = ((cell + 1u) * gather.size + n - 1u) / n - first;
+    let view = group.y * gather.size * gather.size;
+    let index = group.y * n * n + group.x;
+    let place = samples[index];
+    var sum = Cell(vec3f(0.0), 0.0, vec3f(0.0), 0.0, vec3f(0.0), 0.0, vec3f(0.0), 0.0, vec3f(0.0));
+    for (var k = lane; k < count.x * count.y; k += 64u) {
+        let texel = first + vec2u(k % count.x, k / count.x);
+        let rays = part(cell.x, texel.x) * part(cell.y, texel.y) * density(place.half, texel);
+        let at = view + texel.y * gather.size + texel.x;
+        sum.total += rays;
+        if positions[at].w > 0.0 {
+            add_texel(&sum, at, rays, place.half);
+        }
+    }
+    cells[lane] = sum;
+    for (var width = 32u; width > 0u; width /= 2u) {
+        workgroupBarrier();
+        if lane < width {
+            cells[lane] = both(cells[lane], cells[lane + width]);
+        }
+    }
+    let all = cells[0];
+    if lane != 0u || all.lit <= 0.0 {
+        return;
+    }
+    let shininess = all.shininess / all.lit;
+    if shining {
+        let radiance = all.specular / all.area * lobe_normalisation(shininess);
+        highlights[index] = Highlight(radiance, 0.0, unit(all.to_light), 0.0);
+    }
+    let area = all.area * (place.measure / all.total);
+    photons[index] = Photon(all.position / all.lit, area, all.diffuse / all.area, 0.0, unit(all.normal), shininess);
 }

@@ -18,8 +18,8 @@ pub(super) struct Sample {
     pub(super) texel: u32,
     /// Area across the light's way over b², or that area where rays are parallel.
     pub(super) measure: f32,
-    /// 1 where rays are parallel.
-    pub(super) parallel: u32,
+    /// Tangent of half the view's full angle; 0 where rays are parallel.
+    pub(super) half: f32,
     /// Share of the hemisphere in sr (eq 11).
     pub(super) share_sr: f32,
 }
@@ -66,7 +66,10 @@ pub(super) fn samples(params: &DirectRadianceMap, frames: &[LightFrame]) -> Vec<
             samples.push(Sample {
                 texel: view_index(size, index, texel[0], texel[1]) as u32,
                 measure: measure(params, frame, [column, row], texel) as f32,
-                parallel: u32::from(frame.projection == Projection::Orthographic),
+                half: match frame.projection {
+                    Projection::Perspective => frame.half,
+                    Projection::Orthographic => 0.0,
+                },
                 share_sr,
             });
         }
@@ -107,6 +110,20 @@ pub(super) fn photons(
     let (mut photons, mut highlights) = (Vec::new(), Vec::new());
     let per_view = (params.samples_per_side * params.samples_per_side) as usize;
     for (index, sample) in samples(params, &views.frames).iter().enumerate() {
+        if params.averages_cells() {
+            let cell = Cell::new(
+                params,
+                views,
+                index / per_view,
+                (index % per_view) as u32,
+                sample.half,
+            );
+            if let Some((photon, highlight)) = cell.photon(sample.measure) {
+                photons.push(photon);
+                highlights.extend(params.shining().then_some(highlight));
+            }
+            continue;
+        }
         let texel = sample.texel as usize;
         if views.path_m[texel] <= 0.0 {
             continue;
@@ -147,15 +164,16 @@ fn extent(params: &DirectRadianceMap, sample: &Sample, views: &RsmImage) -> f32 
         return sample.share_sr;
     }
     let texel = sample.texel as usize;
-    let b = match sample.parallel {
-        0 => views.path_m[texel],
-        _ => 1.0,
-    };
-    let across = area_across(sample.measure, b);
+    let across = area_across(sample.measure, way(views, texel, sample.half));
     match params.formula() {
         Formula::Constant => omega_far(across, views.bounds.diagonal().powi(2)),
         Formula::Published | Formula::Corrected => lit_area(across, views.cos_light[texel]),
     }
+}
+
+/// b in m, or 1 where rays are parallel.
+fn way(views: &RsmImage, texel: usize, half: f32) -> f32 {
+    if half > 0.0 { views.path_m[texel] } else { 1.0 }
 }
 
 /// What a texel reflects by Lambert's law, and k_s·E.
@@ -182,4 +200,96 @@ fn mean(params: &DirectRadianceMap, views: &RsmImage, frame: usize, cell: u32) -
         }
     }
     (diffuse, specular)
+}
+
+/// Sums over the texels of a cell that show a photon, each by the rays that it and the cell have in common.
+///
+/// All that belongs to a photon is averaged together: its flux A·L is the sum of the texels', its place
+/// and normal their mean. A texel's area counts at most as if the cell's horizon were in it.
+#[derive(Default)]
+struct Cell {
+    /// Rays of the whole cell, and of the texels with a photon: no unit, only their ratio counts.
+    total: f32,
+    lit: f32,
+    /// Σ A and Σ A·L, in m² and W/sr but for the unit of the rays.
+    area: f32,
+    diffuse: Vec3,
+    specular: Vec3,
+    position: Vec3,
+    normal: Vec3,
+    to_light: Vec3,
+    shininess: f32,
+}
+
+impl Cell {
+    fn new(
+        params: &DirectRadianceMap,
+        views: &RsmImage,
+        frame: usize,
+        cell: u32,
+        half: f32,
+    ) -> Self {
+        let (n, size) = (params.samples_per_side, params.map_resolution);
+        let columns = covered(n, size, cell % n);
+        let mut sums = Self::default();
+        for (row, height) in covered(n, size, cell / n) {
+            for (column, width) in columns.clone() {
+                let rays = width * height * density(half, size, column, row);
+                sums.total += rays;
+                let texel = view_index(size, frame, column, row);
+                if views.path_m[texel] > 0.0 {
+                    let across = area_across(rays, way(views, texel, half));
+                    sums.add(views, texel, (rays, across, 1.0 / n as f32));
+                }
+            }
+        }
+        sums
+    }
+
+    fn add(&mut self, views: &RsmImage, texel: usize, (rays, across, least_cos): (f32, f32, f32)) {
+        let cos_light = views.cos_light[texel];
+        let (diffuse, specular) = reflected(views, texel);
+        let area = lit_area(across, cos_light);
+        self.lit += rays;
+        self.area += lit_area(across, cos_light.max(least_cos));
+        self.diffuse += diffuse * area;
+        self.specular += specular * area;
+        self.position += views.position[texel] * rays;
+        self.normal += views.normal[texel] * rays;
+        if let Some(colors) = views.true_colors.get(texel) {
+            self.to_light += colors.to_light * rays;
+            self.shininess += colors.shininess * rays;
+        }
+    }
+
+    /// The cell as one photon, `measure` its [`Sample::measure`]; `None` without light.
+    fn photon(&self, measure: f32) -> Option<(Photon, Highlight)> {
+        if self.lit <= 0.0 {
+            return None;
+        }
+        let shininess = self.shininess / self.lit;
+        let photon = Photon {
+            position: (self.position / self.lit).to_array(),
+            extent: self.area * (measure / self.total),
+            radiance: (self.diffuse / self.area).to_array(),
+            pad: 0.0,
+            normal: self.normal.normalize_or_zero().to_array(),
+            shininess,
+        };
+        let radiance = self.specular / self.area * lobe_normalisation(shininess);
+        let highlight = Highlight {
+            radiance: radiance.to_array(),
+            to_light: self.to_light.normalize_or_zero().to_array(),
+            ..Highlight::default()
+        };
+        Some((photon, highlight))
+    }
+}
+
+/// Solid angle of a texel over that of one in the middle of the view: 1 where rays are parallel.
+fn density(half: f32, size: u32, column: u32, row: u32) -> f32 {
+    let at = |i: u32| half * (2.0 * (i as f32 + 0.5) / size as f32 - 1.0);
+    let (a, b) = (at(column), at(row));
+    let l2 = 1.0 + a * a + b * b;
+    1.0 / (l2 * l2.sqrt())
 }

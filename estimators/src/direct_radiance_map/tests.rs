@@ -4,10 +4,10 @@ use super::math::{
     area_across, equal_angle_texel, hemisphere_share, lit_area, omega_corrected, omega_far,
     omega_published,
 };
-use super::samples::samples;
+use super::samples::{photons, samples};
 use super::{DirectRadianceMap, Method, Quantity, SolidAngle, Surface, TexelOf};
 use interreflect_scene::params::Fidelity;
-use interreflect_scene::{Bounds, Light, SceneFacts};
+use interreflect_scene::{Bounds, Light, RsmImage, SceneFacts, SpotShape};
 use std::f64::consts::PI;
 
 /// With exact areas the flux of a texel is what the light sends into it: A·L = ρ·I·Δω/π, whatever
@@ -92,6 +92,59 @@ fn samples_are_the_texels_at_the_middles_of_cells() {
     let of_texture = samples(&params(16, 3, TexelOf::Texture), &frames);
     let kept = of_texture[0].measure / three[0].measure;
     assert!((kept - 9.0 / 256.0).abs() < 4e-3, "{kept}");
+}
+
+/// With corrected averages the flux A·L of all photons is that of all texels, ρ·I·Ω/π, however far and tilted
+/// the surfaces are; and a dark half is not lit by the other.
+#[test]
+fn averaged_cells_keep_the_flux() {
+    let light = Light::Spot {
+        position: glam::Vec3::ZERO,
+        direction: glam::Vec3::NEG_Y,
+        up: glam::Vec3::Z,
+        shape: SpotShape::Square,
+        angle_deg: 120.0,
+        intensity: glam::Vec3::ONE,
+    };
+    let frames = light.frames(0, &Bounds::default());
+    let params = DirectRadianceMap {
+        map_resolution: 20,
+        fidelity: Fidelity::Corrected,
+        mip: true,
+        ..DirectRadianceMap::default()
+    };
+    let (albedo, size) = (0.6, params.map_resolution);
+    for dark_columns in [0, size / 2] {
+        let mut views = RsmImage::blank(frames.clone(), Bounds::default(), params.captured());
+        let mut expected = 0.0;
+        for i in 0..views.texels() {
+            let (column, row) = (i as u32 % size, i as u32 / size);
+            if column < dark_columns {
+                continue;
+            }
+            let (path, cos_light) = (0.5 + (i % 7) as f32, [0.02, 0.3, 1.0][i % 3]);
+            views.path_m[i] = path;
+            views.cos_light[i] = cos_light;
+            views.normal[i] = glam::Vec3::Y;
+            views.position[i] = glam::Vec3::NEG_Y * path;
+            let radiance = albedo / PI as f32 * cos_light / (path * path);
+            views.radiance[i] = glam::Vec3::splat(radiance);
+            expected += f64::from(albedo) / PI * frames[0].cell_measure(size, column, row);
+        }
+        let (photons, _) = photons(&params, &views);
+        let flux = |p: &super::samples::Photon| f64::from(p.extent * p.radiance[0]);
+        let found: f64 = photons.iter().map(flux).sum();
+        // Where a cell is dark in part, its share is by the middles of texels.
+        let bound = if dark_columns == 0 { 1e-5 } else { 0.01 };
+        assert!(
+            (found / expected - 1.0).abs() < bound,
+            "{found} for {expected}"
+        );
+        assert_eq!(photons.len(), if dark_columns == 0 { 9 } else { 6 });
+        // A texel at a grazing angle, of fifty times its cross-section, does not take the cell over.
+        let across = frames[0].cell_measure(3, 1, 1) as f32 * 7.0 * 7.0;
+        assert!(photons.iter().all(|p| p.extent < 3.0 * across));
+    }
 }
 
 #[test]
