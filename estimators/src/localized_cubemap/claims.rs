@@ -11,13 +11,11 @@ pub(super) fn claims(params: &LocalizedCubemap, quantity: Quantity) -> Vec<Claim
         Claim::Linear,
         Claim::ScaleInvariant,
         Claim::TranslationInvariant,
+        Claim::CubeSymmetric,
         Claim::DistanceFree,
+        Claim::Steady,
         bound(params.fidelity, quantity),
     ];
-    if params.fidelity == Fidelity::Published {
-        // Where an edge meets a texel's middle, exact averaging takes the surface up and left of it.
-        claims.push(Claim::CubeSymmetric);
-    }
     if quantity == Quantity::Irradiance {
         claims.extend(match params.fidelity {
             Fidelity::Published => published(),

@@ -70,7 +70,7 @@ impl LocalizedCubemap {
         let m = self.resolution;
         let (averaging, extent): (_, &dyn Fn(u32, u32) -> f64) = match self.fidelity {
             Fidelity::Published => (Averaging::Plain, &|column, row| self.omega(column, row)),
-            Fidelity::Corrected => (Averaging::Exact, &|column, row| {
+            Fidelity::Corrected => (Averaging::MeanPlane, &|column, row| {
                 math::disc_area(texel_solid_angle_sr(m, column, row))
             }),
         };

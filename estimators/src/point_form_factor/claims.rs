@@ -13,6 +13,7 @@ pub(super) fn claims(params: &PointFormFactor, quantity: Quantity) -> Vec<Claim>
         Claim::Linear,
         Claim::ScaleInvariant,
         Claim::TranslationInvariant,
+        Claim::CubeSymmetric,
         Claim::DistanceFree,
         Claim::FormFactor {
             law: FormFactorLaw::ReciprocalMiddles,

@@ -77,7 +77,7 @@ impl PointFormFactor {
     fn averaging(&self) -> Tables {
         let m = self.resolution;
         let omega_sr = |column, row| texel_solid_angle_sr(m, column, row);
-        Tables::new(m, self.capture_resolution, Averaging::Exact, omega_sr)
+        Tables::new(m, self.capture_resolution, Averaging::MeanPlane, omega_sr)
     }
 
     /// `clamp`, or the largest number where there is none.

@@ -83,7 +83,7 @@ impl PolygonFormFactor {
     fn averaging(&self) -> Tables {
         let averaging = match self.fidelity {
             Fidelity::Published => Averaging::Plain,
-            Fidelity::Corrected => Averaging::Exact,
+            Fidelity::Corrected => Averaging::Middle,
         };
         Tables::new(
             self.resolution,

@@ -11,9 +11,13 @@ use interreflect_scene::conventions::{CUBE_FACES, cube_vector, texel_centre, tex
 pub enum Averaging {
     /// Plain means of radiance and distance (P1 §2); averaged distances leave the wall.
     Plain,
-    /// Radiance weighted by solid angle; distance and normal of the surface along the ray through
-    /// the texel's middle.
-    Exact,
+    /// Radiance weighted by solid angle; distance of the surface along the ray through the texel's
+    /// middle. For what needs no normal: that of one captured texel may be at a grazing angle.
+    Middle,
+    /// Radiance weighted by solid angle; the place and the normal of the mean plane: depths along the
+    /// face's axis by their reciprocals, which keeps a plane where it is, and normals by the area that
+    /// the texel sees of each surface. No captured texel stands for its neighbours.
+    MeanPlane,
 }
 
 /// Distances below this count as this, so that 1/d stays finite.
@@ -22,12 +26,17 @@ pub(super) const NEAREST_M: f32 = 1e-30;
 /// Smallest cosine that an extent is divided by: only a surface seen edge-on is nearer to 0.
 pub(super) const EDGE_ON: f64 = 1e-6;
 
+/// Smallest cosine that a captured texel's solid angle is divided by where normals are averaged: light of
+/// all that a texel sees leaves its mean plane, so that a sliver of a surface at a grazing angle, whose area
+/// is large, must not turn the plane to itself. Without it rows of texels along such slivers are far too bright.
+pub(super) const LEAST_COS: f64 = 0.25;
+
 /// What averaging reads beside the capture; depends on a method's parameters alone.
 pub struct Tables {
     /// M: texels along a face's edge.
     pub(super) resolution: u32,
     pub(super) averaging: Averaging,
-    /// Solid angles in sr of the captured texels of a face; [`Averaging::Exact`] only.
+    /// Solid angles in sr of the captured texels of a face; not for [`Averaging::Plain`].
     pub(super) omegas_sr: Vec<f32>,
     /// The extents of a face's texels.
     pub(super) extents: Vec<f32>,
@@ -36,8 +45,8 @@ pub struct Tables {
 impl Tables {
     /// Tables for `resolution`² texels a face out of a [`super::capture`] of `capture_resolution`².
     ///
-    /// `extent` of (column, row) becomes the texel's extent as it is with [`Averaging::Plain`], and
-    /// over the cosine between ray and surface normal at the texel with [`Averaging::Exact`].
+    /// `extent` of (column, row) becomes the texel's extent: over the cosine between ray and mean
+    /// normal with [`Averaging::MeanPlane`], and as it is with the others.
     pub fn new(
         resolution: u32,
         capture_resolution: u32,
@@ -50,7 +59,7 @@ impl Tables {
             averaging,
             omegas_sr: match averaging {
                 Averaging::Plain => Vec::new(),
-                Averaging::Exact => {
+                Averaging::Middle | Averaging::MeanPlane => {
                     face_solid_angles_sr(capture_resolution.next_multiple_of(resolution))
                 }
             },
@@ -71,7 +80,8 @@ impl Tables {
                     let at = CubeTexel { face, column, row };
                     texels.push(match self.averaging {
                         Averaging::Plain => self.plain(captured, at),
-                        Averaging::Exact => self.exact(captured, at),
+                        Averaging::Middle => self.middle(captured, at),
+                        Averaging::MeanPlane => self.on_mean_plane(captured, at),
                     });
                 }
             }
@@ -111,21 +121,70 @@ impl Tables {
         }
     }
 
-    fn exact(&self, captured: &CubeImage, at: CubeTexel) -> Texel {
+    fn middle(&self, captured: &CubeImage, at: CubeTexel) -> Texel {
         let m = self.resolution;
         let CubeTexel { face, column, row } = at;
         let direction = at.ray(m);
-        let middle = middle(m, captured.size, at);
-        let (inverse_distance, normal) = surface_along(captured, middle, direction);
-        let cos_reference = (-normal.as_dvec3().dot(direction)).max(EDGE_ON);
+        let (inverse_distance, _) =
+            surface_along(captured, middle(m, captured.size, at), direction);
         Texel {
             direction: direction.as_vec3().to_array(),
             inverse_distance,
             radiance: mean_radiance(captured, &self.omegas_sr, m, face, column, row).to_array(),
-            extent: (self.extent(at) / cos_reference) as f32,
-            normal: normal.to_array(),
+            extent: self.extent(at) as f32,
             ..Texel::default()
         }
+    }
+
+    fn on_mean_plane(&self, captured: &CubeImage, at: CubeTexel) -> Texel {
+        let m = self.resolution;
+        let CubeTexel { face, column, row } = at;
+        let direction = at.ray(m);
+        let (inverse_distance, normal) = self.mean_plane(captured, at);
+        let cos_reference = (-normal.dot(direction)).max(EDGE_ON);
+        Texel {
+            direction: direction.as_vec3().to_array(),
+            inverse_distance: inverse_distance as f32,
+            radiance: mean_radiance(captured, &self.omegas_sr, m, face, column, row).to_array(),
+            extent: (self.extent(at) / cos_reference) as f32,
+            normal: normal.as_vec3().to_array(),
+            ..Texel::default()
+        }
+    }
+
+    /// 1/d in 1/m along the texel's middle ray, and the unit normal, of the mean of the surfaces that
+    /// the texel sees; 0 and the direction back where it is mostly open.
+    ///
+    /// On the cube's face, at (a, b, 1), a plane's l/d is linear in a and b: the mean over the texel is
+    /// the value at its middle, whatever the plane's tilt. A normal counts by its surface's area, the
+    /// solid angle over the cosine, but the latter by [`LEAST_COS`] at least.
+    fn mean_plane(&self, captured: &CubeImage, at: CubeTexel) -> (f64, DVec3) {
+        let m = self.resolution;
+        let back = -at.ray(m);
+        let (mut reciprocals, mut met, mut count) = (0.0, 0_u32, 0_u32);
+        let mut normals = DVec3::ZERO;
+        for (on_face, index) in covered(m, captured.size, at.face, at.column, at.row) {
+            count += 1;
+            let Some(d) = captured.distance.get(index).filter(|d| d.is_finite()) else {
+                continue;
+            };
+            met += 1;
+            let near = CubeTexel::of_face(at.face, captured.size, on_face);
+            let ray = near.vector(captured.size);
+            reciprocals += ray.length() / f64::from(d.max(NEAREST_M));
+            if let Some(normal) = captured.normal.get(index) {
+                let cos = -normal.as_dvec3().dot(ray.normalize());
+                let omega_sr = f64::from(self.omegas_sr[on_face]);
+                normals += normal.as_dvec3() * (omega_sr / cos.max(LEAST_COS));
+            }
+        }
+        // A texel that is mostly open has no place: it stays at infinity.
+        if 2 * met < count || met == 0 {
+            return (0.0, back);
+        }
+        let depth = reciprocals / f64::from(met);
+        let inverse_distance = depth / at.vector(m).length();
+        (inverse_distance, normals.try_normalize().unwrap_or(back))
     }
 }
 
@@ -141,13 +200,24 @@ pub struct CubeTexel {
 }
 
 impl CubeTexel {
-    /// Unit direction of its middle on a face of `size`² texels.
-    pub fn ray(self, size: u32) -> DVec3 {
+    /// Texel `on_face`, counted row by row, of a face of `size`² texels.
+    fn of_face(face: usize, size: u32, on_face: usize) -> Self {
+        let (column, row) = (on_face as u32 % size, on_face as u32 / size);
+        Self { face, column, row }
+    }
+
+    /// From the reference point to its middle on the cube of edge 2, whose faces have `size`² texels.
+    fn vector(self, size: u32) -> DVec3 {
         let (s, t) = (
             texel_centre(size, self.column),
             texel_centre(size, self.row),
         );
-        cube_vector(self.face, s, t).normalize()
+        cube_vector(self.face, s, t)
+    }
+
+    /// Unit direction of its middle on a face of `size`² texels.
+    pub fn ray(self, size: u32) -> DVec3 {
+        self.vector(size).normalize()
     }
 }
 

@@ -135,7 +135,8 @@ impl GpuTables {
         let average = context.uniform("texels average", &average)?;
         let entry = match self.averaging {
             Averaging::Plain => "average_plain",
-            Averaging::Exact => "average_exact",
+            Averaging::Middle => "average_middle",
+            Averaging::MeanPlane => "average_mean_plane",
         };
         let [radiance, normals] = views(captured)?;
         let bindings = [

@@ -8,6 +8,10 @@
 use interreflect_cpu::lane::{Lane, Vector};
 use std::f64::consts::{FRAC_1_PI, PI};
 
+/// (r/d)² below which x is a texel's own point: of the unit vector `direction` and of w·x, which is nearly
+/// as long there, float32 rounds each component by up to 2⁻²⁴, and r/d below 2⁻²² is all rounding.
+pub const COINCIDENT: f64 = 1.0 / (1_u64 << 44) as f64;
+
 /// The direction I from x to a texel's surface point, and r2 = (r/d)².
 ///
 /// `direction`, `w`: the texel's homogeneous point; `x`: the shaded point relative to o. Where x
@@ -16,8 +20,8 @@ use std::f64::consts::{FRAC_1_PI, PI};
 pub fn towards_texel<L: Lane>(direction: Vector<L>, w: L, x: Vector<L>) -> (Vector<L>, L) {
     let r = direction - x.scale(w);
     let r2 = r.dot(r);
-    let tiny = L::splat(f64::from(f32::MIN_POSITIVE));
-    let inverse = r2.select_gt(tiny, L::splat(1.0) / r2.max(tiny).sqrt(), L::splat(0.0));
+    let least = L::splat(COINCIDENT);
+    let inverse = r2.select_gt(least, L::splat(1.0) / r2.max(least).sqrt(), L::splat(0.0));
     (r.scale(inverse), r2)
 }
 

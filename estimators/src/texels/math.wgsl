@@ -12,11 +12,13 @@ struct Reflectivity {
     specular: f32,
 }
 
+// As in math.rs: 2⁻⁴⁴.
+const COINCIDENT: f32 = 5.684341886080802e-14;
+
 fn towards_texel(direction: vec3f, w: f32, x: vec3f) -> TowardsTexel {
     let r = direction - x * w;
     let r2 = dot(r, r);
-    let tiny = 1.17549435e-38;
-    if r2 > tiny {
+    if r2 > COINCIDENT {
         return TowardsTexel(r * (1.0 / sqrt(r2)), r2);
     }
     return TowardsTexel(vec3f(0.0), r2);

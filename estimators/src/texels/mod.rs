@@ -42,7 +42,7 @@ pub struct Texel {
     pub radiance: [f32; 3],
     /// What the method says of the texel's size: see [`average::Tables::new`].
     pub extent: f32,
-    /// Unit normal of the surface; [`average::Averaging::Exact`] only.
+    /// Unit normal of the surface; [`average::Averaging::MeanPlane`] only.
     pub normal: [f32; 3],
     /// Nothing; keeps the layout.
     pub pad: f32,

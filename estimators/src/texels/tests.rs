@@ -1,5 +1,6 @@
 use super::super::Texel;
-use super::super::average::{EDGE_ON, NEAREST_M};
+use super::super::average::{EDGE_ON, LEAST_COS, NEAREST_M};
+use super::super::math::COINCIDENT;
 use super::{AVERAGE, Average, Gather, STORAGE, UNIFORM, UNIFORM_TEXELS, gather_parts};
 use interreflect_gpu::Shader;
 use interreflect_gpu::layout::{array_length, assert_layout, constant, module};
@@ -45,6 +46,9 @@ fn constants_are_the_same() {
     let average = module(&AVERAGE);
     assert_eq!(constant(&average, "NEAREST_M"), NEAREST_M);
     assert_eq!(constant(&average, "EDGE_ON"), EDGE_ON as f32);
-    let length = array_length(&module(&SHADERS[0]), "texels");
+    assert_eq!(constant(&average, "LEAST_COS"), LEAST_COS as f32);
+    let gather = module(&SHADERS[0]);
+    assert_eq!(constant(&gather, "COINCIDENT"), COINCIDENT as f32);
+    let length = array_length(&gather, "texels");
     assert_eq!(length, Some(UNIFORM_TEXELS as u32));
 }

@@ -15,6 +15,7 @@ pub mod parity;
 mod property;
 mod rules;
 mod settings;
+mod steady;
 mod test_backend;
 
 pub use box_scene::{BoxScene, Lighting, Placement, sky};
@@ -52,6 +53,8 @@ enum Kind {
     Property(Property),
     /// Convergence in a parameter.
     Convergence,
+    /// No resolution stands out.
+    Steady,
     /// A law of form factors.
     Law(Law),
     /// A program's own.
@@ -148,13 +151,15 @@ pub fn checks() -> impl Iterator<Item = Check> {
     let properties = property::all().into_iter();
     let properties = properties.map(|p| (p.name, p.about, Kind::Property(p)));
     let convergence = std::iter::once((converge::NAME, converge::ABOUT, Kind::Convergence));
+    let steady = std::iter::once((steady::NAME, steady::ABOUT, Kind::Steady));
     let laws = laws::all().into_iter();
     let laws = laws.map(|l| (l.name, l.about, Kind::Law(l)));
     let all = rules
         .chain(parity)
         .chain(answers)
         .chain(properties)
-        .chain(convergence);
+        .chain(convergence)
+        .chain(steady);
     all.chain(laws)
         .map(|(name, about, kind)| Check { name, about, kind })
 }
@@ -178,6 +183,7 @@ impl Check {
             Kind::Answer(answer) => answer.asks(claim),
             Kind::Property(property) => property.asks(claim),
             Kind::Convergence => matches!(claim, Claim::Converges { .. }),
+            Kind::Steady => matches!(claim, Claim::Steady),
             Kind::Law(law) => law.asks(claim),
         }
     }
@@ -193,6 +199,7 @@ impl Check {
             Kind::Answer(answer) => answer.run(under_test),
             Kind::Property(property) => property.run(under_test),
             Kind::Convergence => converge::run(under_test),
+            Kind::Steady => steady::run(under_test),
             Kind::Law(law) => law.run(under_test),
             Kind::Own(find) => (Asked::Claimed, find(under_test).map_err(Nothing::from)),
         };

@@ -6,7 +6,7 @@ use crate::variants::{Outcome, configured, on_both, run};
 use glam::{DVec3, Vec3};
 use interreflect_estimators::Quantity;
 use interreflect_estimators::execution::BackendScene;
-use interreflect_scene::conventions::{cube_vector, texel_centre};
+use interreflect_scene::conventions::{CUBE_FACES, cube_vector, texel_centre};
 use interreflect_scene::{Estimate, Point, PointLayout, Points, SceneRequest, open};
 use libtest_mimic::{Failed, Trial};
 use std::f64::consts::PI;
@@ -27,6 +27,7 @@ pub(crate) fn trials() -> Vec<Trial> {
         both!(polygons_close_a_furnace, &UNIFORM),
         both!(published_polygons_do_not_close_it, &UNIFORM),
         both!(point_lights_spike_along_a_wall, &ROOM),
+        both!(point_lights_add_nothing_at_their_own_place, &ROOM),
         both!(polygons_do_not_spike_along_a_wall, &ROOM),
         both!(switches_of_polygons_change_what_they_should, &DIVIDED),
         both!(polygons_at_infinity_are_classic_mapping, &TEST_SCENES[4]),
@@ -106,6 +107,38 @@ fn published_polygons_do_not_close_it<S: BackendScene>(
         .map(|e| (e / PI - 1.0).abs())
         .fold(0.0, f64::max);
     ensure!(worst > 0.1, "published is within {worst:.3} of π");
+    Ok(())
+}
+
+/// At a texel's own place, as float32 has it, the direction to it is rounding alone, and 1/r² is 10¹³: it must
+/// not count. All other texels together give no more than walls of the greatest radiance, 1, may.
+fn point_lights_add_nothing_at_their_own_place<S: BackendScene>(
+    loaded: &S,
+    _: &TestScene,
+) -> Outcome {
+    let m = 4;
+    let origin = ROOM_ORIGIN.as_dvec3();
+    let texels = (0..CUBE_FACES)
+        .flat_map(|face| (0..m * m).map(move |i| (face, i % m, i / m)))
+        .filter_map(|(face, column, row)| {
+            let l = cube_vector(face, texel_centre(m, column), texel_centre(m, row));
+            let inward = -cube_vector(face, 0.0, 0.0);
+            let distance = (1.0 + inward.dot(origin)) / -inward.dot(l);
+            let place = origin + l * distance;
+            // Others see two walls, and are on neither.
+            let on_wall = place.abs().max_element() < 1.0 + 1e-9;
+            on_wall.then(|| Point {
+                position: place.as_vec3(),
+                normal: inward.as_vec3(),
+                ..Point::default()
+            })
+        });
+    let points = Points::new(PointLayout::Surface, texels.map(Some));
+    ensure!(points.len() > 50, "{} texels see one wall", points.len());
+    let estimate = irradiance(loaded, "point_form_factor", &[("resolution", "4")], &points)?;
+    for (i, e) in estimate.iter().enumerate() {
+        ensure!(f64::from(e.x) < 2.0 * PI, "point {i}: {e}");
+    }
     Ok(())
 }
 

@@ -22,7 +22,6 @@ mod precision_parity;
 mod radiance_maps;
 mod room;
 mod room_points;
-mod room_ties;
 mod rules;
 mod shaders;
 mod test_scenes;
@@ -59,7 +58,6 @@ fn main() {
         visibility::trials(),
         path_reference::trials(),
         room::trials(),
-        room_ties::trials(),
     ]
     .into_iter()
     .flatten()

@@ -1,7 +1,7 @@
 //! The points of `tests/points/room.csv` with their columns.
 
 use crate::test_scenes::{ROOM_ORIGIN, TestScene, points_file};
-use glam::{DVec3, Vec3};
+use glam::Vec3;
 use interreflect_scene::{Point, PointLayout, Points, SceneRequest, open};
 use libtest_mimic::Failed;
 use std::collections::BTreeMap;
@@ -73,13 +73,5 @@ impl Room {
             members().map(&value).sum::<f64>() / members().count() as f64
         };
         groups.into_iter().map(|g| (g, mean(g))).collect()
-    }
-
-    /// Positions and normals in float64.
-    pub(crate) fn places(&self) -> Vec<(DVec3, DVec3)> {
-        let at = |names: [&str; 3], i: usize| DVec3::from(names.map(|n| self.columns[n][i]));
-        (0..self.groups.len())
-            .map(|i| (at(["x", "y", "z"], i), at(["nx", "ny", "nz"], i)))
-            .collect()
     }
 }
