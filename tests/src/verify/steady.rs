@@ -1,4 +1,4 @@
-//! No resolution stands out: in the scenes of the library, an estimate of more texels is not suddenly far
+//! No resolution stands out: in the small scenes of the library, an estimate of more texels is not suddenly far
 //! worse than with a few more or a few less.
 //!
 //! Errors go up and down with where the texels' edges happen to lie; an error of many times its neighbours'
@@ -19,7 +19,7 @@ use interreflect_scene::{
 
 pub(super) const NAME: &str = "steady";
 pub(super) const ABOUT: &str =
-    "no resolution from 1 to 64 is far worse than its neighbours, in the scenes of the library";
+    "no resolution from 1 to 64 is far worse than its neighbours, in the library's small scenes";
 
 /// The parameter that is swept, where a method has it.
 const PARAMETER: &str = "resolution";

@@ -111,7 +111,7 @@ fn published_polygons_do_not_close_it<S: BackendScene>(
 }
 
 /// At a texel's own place, as float32 has it, the direction to it is rounding alone, and 1/r² is 10¹³: it must
-/// not count. All other texels together give no more than walls of the greatest radiance, 1, may.
+/// not count. Walls of the greatest radiance, 1, give π; all other texels, points instead of surfaces, less than twice that.
 fn point_lights_add_nothing_at_their_own_place<S: BackendScene>(
     loaded: &S,
     _: &TestScene,

@@ -115,10 +115,9 @@ pub(crate) fn variants(captured: u32) -> Vec<Variant> {
     for entry in Registry::builtin().entries() {
         let mut method = entry.configure();
         // Not every method has these; those that sample need not sample long here, those that
-        // convolve need not fill large maps, those of many directions take 18 of them.
+        // convolve need not fill large maps.
         method.set("capture_resolution", &captured.to_string()).ok();
         method.set("samples", "64").ok();
-        method.set("level", "1").ok();
         let convolves = method.values().iter().any(|(f, _)| f.name == "resolution");
         let map = if convolves { 8 } else { captured };
         method.set("map_resolution", &map.to_string()).ok();
