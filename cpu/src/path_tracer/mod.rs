@@ -38,8 +38,8 @@ const STUDENT_AT_2_SIGMA: f64 = 1.0398;
 
 /// Degrees of freedom that the spread over all points counts for in that of one point. Replicates of few
 /// samples are skewed: where they happen to miss what is bright, mean and spread are both too small, and
-/// two standard errors from the point's own spread alone hold the truth at 91 % of points (`cornell-box`, 64
-/// samples); with this many, at 94 to 97 % in all scenes of the library that are not free of noise.
+/// two standard errors from the point's own spread alone hold the truth too seldom. With this many they do at
+/// 93 to 97 % of points in every scene of the library that has noise: `path_reference/coverage`.
 const SHARED_FREEDOM: f64 = 16.0;
 
 /// Rounding to f32 and the lift of points off their surface, relative to the estimate.
