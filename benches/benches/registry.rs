@@ -4,7 +4,7 @@
 
 use criterion::{BenchmarkGroup, BenchmarkId, Criterion, Throughput, measurement::WallTime};
 use criterion::{criterion_group, criterion_main};
-use interreflect::view::View;
+use interreflect::view::{Shade, View};
 use interreflect_cpu::tiles::CpuCx;
 use interreflect_estimators::execution::{BackendScene, GpuLoadedScene, LoadedScene};
 use interreflect_estimators::{
@@ -12,8 +12,8 @@ use interreflect_estimators::{
 };
 use interreflect_gpu::GpuContext;
 use interreflect_scene::{
-    CubeChannels, CubeSpec, Needs, Point, PointLayout, Points, RsmChannels, RsmSpec, SceneRequest,
-    open,
+    CubeChannels, CubeSpec, Needs, Point, PointLayout, Points, RsmChannels, RsmSpec, RsmViews,
+    SceneRequest, open,
 };
 use std::time::Duration;
 
@@ -35,7 +35,7 @@ impl Fixture {
         let cx = CpuCx::new(None, None).expect("a pool of threads");
         let loaded = LoadedScene::new(&cx, &scene).expect("a scene that the CPU takes");
         let cpu = &loaded.cpu().scene;
-        let view = cx.install(|| View::of_about(cpu, &scene.camera, POINTS));
+        let view = cx.install(|| View::of_about(cpu, &scene.camera, (POINTS, Shade::default())));
         let view = view.expect("a view with points");
         let seen = view.points(PointLayout::Material);
         let on_receiver: Vec<_> = seen.iter().flatten().collect();
@@ -197,7 +197,12 @@ fn rsms(criterion: &mut Criterion) {
             true_colors: false,
         };
         let needs = Needs {
-            rsms: [RsmSpec { size, channels }].into(),
+            rsms: [RsmSpec {
+                size,
+                views: RsmViews::Surround,
+                channels,
+            }]
+            .into(),
             ..Needs::default()
         };
         let name = format!("{size}");

@@ -21,6 +21,7 @@ fn point_light() -> Light {
     Light::Point {
         position: Vec3::new(0.1, 0.6, -0.2),
         intensity: Vec3::splat(2.0),
+        picture: None,
     }
 }
 
@@ -105,6 +106,7 @@ fn half_lit(divider: Mesh) -> Scene {
     let light = Light::Point {
         position: Vec3::new(0.5, 0.1, 0.0),
         intensity: Vec3::splat(5.0),
+        picture: None,
     };
     let mut scene = lit(walls([white; 6]), light);
     scene.materials.push(white);

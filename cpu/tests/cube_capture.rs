@@ -100,6 +100,7 @@ fn direct_light_is_lambertian_two_sided_and_shadowed_by_environment_objects_only
         Light::Point {
             position: light,
             intensity: Vec3::ONE,
+            picture: None,
         },
     );
     let expected = |direction: DVec3| {

@@ -30,6 +30,7 @@ fn busy_scene() -> interreflect_scene::Scene {
         Light::Point {
             position: Vec3::new(0.2, 0.7, 0.1),
             intensity: Vec3::ONE,
+            picture: None,
         },
     )
 }

@@ -132,7 +132,7 @@ fn structs_have_the_same_layout() {
         &views,
         "Views",
         rsm::Views,
-        [size, channels, triangles, ray_start]
+        [size, channels, triangles, ray_start, pixels]
     );
     assert_layout!(
         &views,

@@ -92,6 +92,7 @@ impl GpuLight {
             Light::Point {
                 position,
                 intensity,
+                ..
             } => Self::at(position, kind::POINT, intensity),
             Light::Spot {
                 position,

@@ -80,7 +80,7 @@ impl GpuRsm {
         &self.frames
     }
 
-    /// Box around what captures see.
+    /// Box around all surfaces.
     pub fn bounds(&self) -> Bounds {
         self.bounds
     }

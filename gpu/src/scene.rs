@@ -3,7 +3,7 @@
 use crate::{GpuContext, GpuError, lights};
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec3};
-use interreflect_scene::{self as host, Environment, LightFrame, Material, Mesh, Role, Scene};
+use interreflect_scene::{self as host, Environment, Light, Material, Mesh, Role, Scene};
 
 /// A corner of a triangle, as the vertex shaders read it.
 #[repr(C)]
@@ -45,27 +45,31 @@ pub(crate) struct GpuEnvironment {
     pub(crate) turn: [f32; 2],
 }
 
-/// A scene on the GPU: the surfaces with [`Role::Environment`], their materials, the lights and
-/// the environment.
+/// A scene on the GPU: its surfaces, their materials, the lights and the environment.
 pub struct GpuScene {
+    /// Corners of the triangles of environment objects, then of those of receivers.
     pub(crate) vertices: wgpu::Buffer,
+    /// Corners that belong to environment objects: what cube captures see.
     pub(crate) vertex_count: u32,
-    /// What each drawn triangle is called among all of the environment objects'.
+    /// Corners of all objects: what views from lights see.
+    pub(crate) all_vertex_count: u32,
+    /// What each drawn triangle of environment objects is called among all of theirs.
     pub(crate) triangles: Vec<u32>,
     pub(crate) materials: wgpu::Buffer,
     /// `None` for a scene without lights.
     pub(crate) lights: Option<lights::GpuLights>,
     pub(crate) environment: Option<GpuEnvironment>,
+    /// Around what cube captures see.
     pub(crate) bounds: Bounds,
-    /// Box around all captured surfaces.
-    pub(crate) captured: host::Bounds,
-    /// The frames of all lights' views.
-    pub(crate) frames: Vec<LightFrame>,
+    /// Box around all surfaces.
+    pub(crate) extent: host::Bounds,
+    /// Where views from the lights are taken.
+    pub(crate) view_lights: Vec<Light>,
     /// Unit normals at the corners of each drawn triangle; `None` for a scene without mirrors.
     pub(crate) corner_normals: Option<wgpu::Buffer>,
 }
 
-/// A sphere around all captured surfaces.
+/// A sphere around surfaces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Bounds {
     pub(crate) centre: Vec3,
@@ -78,54 +82,56 @@ impl GpuScene {
     /// # Errors
     /// [`GpuError::TooManyLights`], or another [`GpuError`] if the device has no room.
     pub fn new(context: &GpuContext, scene: &Scene) -> Result<Self, GpuError> {
-        let drawn = drawn(scene);
-        let vertices: Vec<Vertex> = drawn.iter().flat_map(Drawn::vertices).collect();
+        let captured = drawn(scene, Role::Environment);
+        let receivers = drawn(scene, Role::Receiver);
+        let all = || captured.iter().chain(&receivers);
+        let vertices: Vec<Vertex> = all().flat_map(Drawn::vertices).collect();
         let mut materials: Vec<_> = scene.materials.iter().map(GpuMaterial::new).collect();
         if materials.is_empty() {
             // The shaders' array has one element at least.
             materials.push(GpuMaterial::zeroed());
         }
-        let captured = host::Bounds::of_captured(scene);
-        let bounds = Bounds::around(&captured);
+        let bounds = Bounds::around(&host::Bounds::of_captured(scene));
         let usage = wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::STORAGE;
         let buffer = context.filled_buffer("triangles", bytemuck::cast_slice(&vertices), usage)?;
         let environment = scene.environment.as_ref();
         Ok(Self {
             vertices: buffer,
-            vertex_count: vertices.len() as u32,
-            triangles: drawn.iter().map(|d| d.index).collect(),
+            vertex_count: 3 * captured.len() as u32,
+            all_vertex_count: vertices.len() as u32,
+            triangles: captured.iter().map(|d| d.index).collect(),
             materials: context.storage("materials", &materials)?,
             lights: lights::GpuLights::new(context, &scene.lights, bounds)?,
             environment: environment
                 .map(|e| GpuEnvironment::new(context, e))
                 .transpose()?,
             bounds,
-            captured,
-            frames: scene.light_frames(),
-            corner_normals: corner_normals(context, scene, &drawn)?,
+            extent: host::Bounds::of_all(scene),
+            view_lights: scene.lights.clone(),
+            corner_normals: corner_normals(context, scene, all())?,
         })
     }
 }
 
 /// The normals by which mirrors reflect, if there are any.
-fn corner_normals(
+fn corner_normals<'a>(
     context: &GpuContext,
     scene: &Scene,
-    drawn: &[Drawn<'_>],
+    drawn: impl Iterator<Item = &'a Drawn<'a>> + Clone,
 ) -> Result<Option<wgpu::Buffer>, GpuError> {
     let is_mirror = |d: &Drawn<'_>| scene.materials[d.material as usize].mirror;
-    if !drawn.iter().any(is_mirror) {
+    if !drawn.clone().any(is_mirror) {
         return Ok(None);
     }
-    let normals: Vec<_> = drawn.iter().flat_map(Drawn::corner_normals).collect();
+    let normals: Vec<_> = drawn.flat_map(Drawn::corner_normals).collect();
     context.storage("normals of corners", &normals).map(Some)
 }
 
 impl Bounds {
-    fn around(captured: &host::Bounds) -> Self {
+    pub(crate) fn around(surfaces: &host::Bounds) -> Self {
         Self {
-            centre: captured.centre(),
-            radius: captured.radius(),
+            centre: surfaces.centre(),
+            radius: surfaces.radius(),
         }
     }
 
@@ -159,9 +165,9 @@ impl GpuMaterial {
     }
 }
 
-/// A captured triangle that has an area.
+/// A triangle that has an area.
 struct Drawn<'a> {
-    /// Counted over all environment objects.
+    /// Counted over all objects of its role.
     index: u32,
     mesh: &'a Mesh,
     /// Index in its mesh.
@@ -185,9 +191,9 @@ impl Drawn<'_> {
     }
 }
 
-fn drawn(scene: &Scene) -> Vec<Drawn<'_>> {
+fn drawn(scene: &Scene, role: Role) -> Vec<Drawn<'_>> {
     let mut drawn = Vec::new();
-    let meshes = scene.objects_of(Role::Environment).map(|o| &o.mesh);
+    let meshes = scene.objects_of(role).map(|o| &o.mesh);
     let all = meshes.flat_map(|m| {
         m.materials
             .iter()

@@ -1,10 +1,10 @@
-//! The box and the sphere around what captures see.
+//! Boxes around surfaces, and the spheres around them.
 
-use crate::{Role, Scene};
+use crate::{Object, Role, Scene};
 use glam::Vec3;
 
-/// The smallest axis-aligned box around all surfaces that captures see; the sphere is the one around
-/// this box. A scene without surfaces has both at the origin, without an extent.
+/// The smallest axis-aligned box around some surfaces; the sphere is the one around this box. Without
+/// surfaces both are at the origin, without an extent.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Bounds {
     /// Corner of the smallest coordinates in metres.
@@ -14,11 +14,20 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// Around the triangles of the scene's objects with [`Role::Environment`].
+    /// Around what cube captures see: the triangles of the objects with [`Role::Environment`].
     pub fn of_captured(scene: &Scene) -> Self {
-        let meshes = || scene.objects_of(Role::Environment).map(|o| &o.mesh);
+        Self::around(scene.objects_of(Role::Environment))
+    }
+
+    /// Around the triangles of all objects.
+    pub fn of_all(scene: &Scene) -> Self {
+        Self::around(scene.objects.iter())
+    }
+
+    fn around<'a>(objects: impl Iterator<Item = &'a Object> + Clone) -> Self {
         let corners = || {
-            meshes().flat_map(|mesh| {
+            objects.clone().flat_map(|object| {
+                let mesh = &object.mesh;
                 let indices = mesh.triangles.iter().flatten();
                 indices.map(|&v| mesh.positions[v as usize])
             })

@@ -11,6 +11,18 @@ pub enum SpotShape {
     Square,
 }
 
+/// The view in which a light that shines into all directions, or into a half-space, takes its picture
+/// (Frisvad et al., §3). It does not narrow the light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LightPicture {
+    /// Unit direction of the middle of the picture.
+    pub direction: Vec3,
+    /// Unit upward direction of the picture, orthogonal to `direction`.
+    pub up: Vec3,
+    /// Full angle between opposite sides of the square picture in degrees, in (0, 180).
+    pub angle_deg: f32,
+}
+
 /// A light with hard shadows. Directions are unit vectors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Light {
@@ -20,6 +32,8 @@ pub enum Light {
         position: Vec3,
         /// Radiant intensity in W/sr; a flux Φ is 4π times as much.
         intensity: Vec3,
+        /// Where it takes its picture; `None`: 90° wide, towards the middle of the scene.
+        picture: Option<LightPicture>,
     },
     /// A point light inside a frustum.
     Spot {
@@ -54,6 +68,8 @@ pub enum Light {
         area_m2: f32,
         /// Flux Φ in W.
         flux: Vec3,
+        /// Where it takes its picture; `None`: 90° wide, along the normal.
+        picture: Option<LightPicture>,
     },
 }
 
@@ -68,7 +84,38 @@ pub struct Incident {
     pub irradiance: Vec3,
 }
 
+impl LightPicture {
+    /// A picture with the default up: from +y, or from +z where the direction is nearly vertical.
+    pub fn towards(direction: Vec3, angle_deg: f32) -> Self {
+        Self {
+            direction,
+            up: upright(direction),
+            angle_deg,
+        }
+    }
+}
+
+/// The upward direction across a unit axis: from +y, or from +z where the axis is nearly vertical.
+pub fn upright(axis: Vec3) -> Vec3 {
+    let up = if axis.y.abs() < 0.99 {
+        Vec3::Y
+    } else {
+        Vec3::Z
+    };
+    (up - axis * up.dot(axis)).normalize()
+}
+
 impl Light {
+    /// Where the light is, in metres; `None` for parallel light.
+    pub fn position(&self) -> Option<Vec3> {
+        match *self {
+            Light::Point { position, .. }
+            | Light::Spot { position, .. }
+            | Light::Area { position, .. } => Some(position),
+            Light::Directional { .. } => None,
+        }
+    }
+
     /// What arrives at `x`, or `None` where the light does not shine or `x` is at the light.
     pub fn incident(&self, x: Vec3) -> Option<Incident> {
         let from = |position: Vec3| {
@@ -85,6 +132,7 @@ impl Light {
             Light::Point {
                 position,
                 intensity,
+                ..
             } => from(position).map(|(d, r2)| radiating(d, r2, intensity)),
             Light::Spot {
                 position,
@@ -171,6 +219,7 @@ mod tests {
             normal: Vec3::X,
             area_m2: 3.0,
             flux: Vec3::splat(std::f32::consts::PI),
+            picture: None,
         };
         let at = |x, y| light.incident(Vec3::new(x, y, 0.0)).map(|i| i.irradiance.x);
         // Φ/π·cos θ/r²; behind it nothing. Roundings of a few products.

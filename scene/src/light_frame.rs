@@ -1,6 +1,6 @@
 //! Frames of the views from the lights: squares of texels through which rays leave a light.
 
-use crate::{Bounds, Light, Scene, conventions};
+use crate::{Bounds, Light, LightPicture, RsmViews, Scene, conventions};
 use glam::{DVec3, Vec3};
 
 /// How the rays of a view leave the light.
@@ -77,12 +77,15 @@ impl LightFrame {
 }
 
 impl Light {
-    /// The frames of the views that together see all that the light may shine on: of a spot one
-    /// square of its full angle around its axis, of a point light the six faces of a cube, of an
-    /// area light the five faces of a cube that look into its half-space, of a directional light
-    /// one square around the sphere of `bounds`. Where a view is wider than the light, its rays
+    /// The frames of a light's views.
+    ///
+    /// [`RsmViews::Picture`]: one square. A spot light looks along its axis with its full angle, a
+    /// point or area light where its picture is ([`LightPicture`]), a directional light at the sphere of
+    /// `bounds`. [`RsmViews::Surround`]: the frames that together see all that the light may shine on:
+    /// of a point light the six faces of a cube, of an area light the five that look into its
+    /// half-space, of the others the same one square. Where a view is wider than the light, its rays
     /// carry none: [`Light::incident`] says so.
-    pub fn frames(&self, light: u32, bounds: &Bounds) -> Vec<LightFrame> {
+    pub fn frames(&self, light: u32, bounds: &Bounds, views: RsmViews) -> Vec<LightFrame> {
         let frame = |origin, axis, right, down, half| LightFrame {
             light,
             origin,
@@ -92,34 +95,72 @@ impl Light {
             half,
             projection: Projection::Perspective,
         };
-        match *self {
-            Self::Point { position, .. } => (0..conventions::CUBE_FACES)
+        let pictured = |origin, picture: LightPicture| {
+            let LightPicture { direction, up, .. } = picture;
+            let half = (0.5 * picture.angle_deg.to_radians()).tan();
+            vec![frame(origin, direction, direction.cross(up), -up, half)]
+        };
+        match (*self, views) {
+            (Self::Point { position, .. }, RsmViews::Surround) => (0..conventions::CUBE_FACES)
                 .map(|face| {
                     let (axis, s, t) = conventions::cube_frame(face);
                     frame(position, axis.as_vec3(), s.as_vec3(), t.as_vec3(), 1.0)
                 })
                 .collect(),
-            Self::Spot {
-                position,
-                direction,
-                up,
-                angle_deg,
-                ..
-            } => {
-                let half = (0.5 * angle_deg.to_radians()).tan();
-                let right = direction.cross(up);
-                vec![frame(position, direction, right, -up, half)]
+            (
+                Self::Point {
+                    position, picture, ..
+                },
+                RsmViews::Picture,
+            ) => {
+                let ahead = || {
+                    let inwards = (bounds.centre() - position).try_normalize();
+                    LightPicture::towards(inwards.unwrap_or(Vec3::NEG_Y), PICTURE_DEG)
+                };
+                pictured(position, picture.unwrap_or_else(ahead))
             }
-            Self::Area {
-                position, normal, ..
-            } => {
+            (
+                Self::Spot {
+                    position,
+                    direction,
+                    up,
+                    angle_deg,
+                    ..
+                },
+                _,
+            ) => {
+                let picture = LightPicture {
+                    direction,
+                    up,
+                    angle_deg,
+                };
+                pictured(position, picture)
+            }
+            (
+                Self::Area {
+                    position, normal, ..
+                },
+                RsmViews::Surround,
+            ) => {
                 let (u, v) = normal.any_orthonormal_pair();
                 let front = frame(position, normal, u, v, 1.0);
                 let sides = [(u, v), (-u, v), (v, u), (-v, u)];
                 let sides = sides.map(|(axis, s)| frame(position, axis, s, normal, 1.0));
                 [vec![front], sides.to_vec()].concat()
             }
-            Self::Directional { direction, .. } => {
+            (
+                Self::Area {
+                    position,
+                    normal,
+                    picture,
+                    ..
+                },
+                RsmViews::Picture,
+            ) => {
+                let ahead = || LightPicture::towards(normal, PICTURE_DEG);
+                pictured(position, picture.unwrap_or_else(ahead))
+            }
+            (Self::Directional { direction, .. }, _) => {
                 let (u, v) = direction.any_orthonormal_pair();
                 // A little more than the sphere, so that its rim lies inside the view.
                 let half = (1.01 * bounds.radius()).max(f32::MIN_POSITIVE);
@@ -133,13 +174,22 @@ impl Light {
     }
 }
 
+/// Full angle in degrees of a picture for which a scene gives none.
+const PICTURE_DEG: f32 = 90.0;
+
 impl Scene {
     /// The frames of all lights' views, light by light.
-    pub fn light_frames(&self) -> Vec<LightFrame> {
-        let bounds = Bounds::of_captured(self);
-        let lights = (0..).zip(&self.lights);
-        lights.flat_map(|(i, l)| l.frames(i, &bounds)).collect()
+    pub fn light_frames(&self, views: RsmViews) -> Vec<LightFrame> {
+        light_frames(&self.lights, &Bounds::of_all(self), views)
     }
+}
+
+/// The frames of the views of `lights`, light by light, of surfaces within `bounds`.
+pub fn light_frames(lights: &[Light], bounds: &Bounds, views: RsmViews) -> Vec<LightFrame> {
+    let lights = (0..).zip(lights);
+    lights
+        .flat_map(|(i, l)| l.frames(i, bounds, views))
+        .collect()
 }
 
 #[cfg(test)]
@@ -153,7 +203,7 @@ mod tests {
             low: -Vec3::ONE,
             high: Vec3::new(1.0, 2.0, 3.0),
         };
-        light.frames(0, &bounds)
+        light.frames(0, &bounds, RsmViews::Surround)
     }
 
     fn solid_angle(frames: &[LightFrame], size: u32) -> f64 {
@@ -171,12 +221,14 @@ mod tests {
         let point = Light::Point {
             position,
             intensity: one,
+            picture: None,
         };
         let area = Light::Area {
             position,
             normal: Vec3::new(0.6, 0.0, 0.8),
             area_m2: 1.0,
             flux: one,
+            picture: None,
         };
         let spot = Light::Spot {
             position,
@@ -226,6 +278,7 @@ mod tests {
             normal: Vec3::Y,
             area_m2: 1.0,
             flux: Vec3::ONE,
+            picture: None,
         };
         let frames = frames(&light);
         for frame in &frames {
@@ -238,5 +291,52 @@ mod tests {
         }
         let middles: Vec3 = frames[1..].iter().map(|f| f.axis).sum();
         assert!(middles.length() < 1e-6, "{middles}");
+    }
+
+    #[test]
+    fn a_picture_is_one_view_where_it_is_aimed() {
+        let bounds = Bounds {
+            low: Vec3::ZERO,
+            high: Vec3::new(2.0, 4.0, 2.0),
+        };
+        let point = |position, picture| Light::Point {
+            position,
+            intensity: Vec3::ONE,
+            picture,
+        };
+        let picture = LightPicture::towards(Vec3::X, 60.0);
+        let above = Vec3::new(1.0, 3.0, 1.0);
+        for (light, axis, angle_deg) in [
+            (point(above, Some(picture)), Vec3::X, 60.0),
+            (point(above, None), Vec3::NEG_Y, 90.0),
+            (point(bounds.centre(), None), Vec3::NEG_Y, 90.0),
+            (
+                Light::Area {
+                    position: above,
+                    normal: Vec3::Z,
+                    area_m2: 1.0,
+                    flux: Vec3::ONE,
+                    picture: None,
+                },
+                Vec3::Z,
+                90.0,
+            ),
+        ] {
+            let [frame] = light.frames(3, &bounds, RsmViews::Picture)[..] else {
+                panic!("one view of {light:?}")
+            };
+            let at = light.position();
+            assert_eq!((frame.light, Some(frame.origin)), (3, at));
+            assert!(frame.axis.distance(axis) < 1e-6, "{frame:?}");
+            assert!(
+                (frame.full_angle().to_degrees() - angle_deg).abs() < 1e-4,
+                "{frame:?}"
+            );
+            // As an image: its right, seen along the axis with `up` above.
+            assert!(
+                frame.axis.cross(-frame.down).distance(frame.right) < 1e-6,
+                "{frame:?}"
+            );
+        }
     }
 }

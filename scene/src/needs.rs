@@ -52,11 +52,23 @@ pub struct RsmChannels {
     pub true_colors: bool,
 }
 
-/// A view from every light of the scene, one ray through each texel's centre.
+/// What the views of a light show of all that it shines on.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum RsmViews {
+    /// One view from each light, in the direction of its picture.
+    #[default]
+    Picture,
+    /// As many views as it takes to see everything that the light may shine on.
+    Surround,
+}
+
+/// Views from every light of the scene, one ray through each texel's centre.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct RsmSpec {
-    /// Texels along the edge of a view; a light may have several views.
+    /// Texels along the edge of a view.
     pub size: u32,
+    /// Which views.
+    pub views: RsmViews,
     /// What each texel holds.
     pub channels: RsmChannels,
 }
@@ -92,7 +104,7 @@ impl Needs {
 pub struct SceneFacts {
     /// There are surfaces to capture.
     pub surfaces: bool,
-    /// There are surfaces, receivers included, that may lie between a point and the sky.
+    /// There are surfaces, receivers included: lights may shine on them, and they may lie between a point and the sky.
     pub occluders: bool,
     /// Radiance arrives from infinitely far away.
     pub environment: bool,

@@ -3,7 +3,7 @@
 //! What the first ray of a light meets is lit; a reflective shadow map is a list of lit places
 //! (Frisvad et al., *Direct Radiance Mapping*, §3).
 
-use crate::{Bounds, LightFrame, RsmChannels, RsmSpec, Scene, conventions};
+use crate::{Bounds, LightFrame, RsmChannels, RsmSpec, RsmViews, Scene, conventions};
 use glam::Vec3;
 
 /// Mirrors that a ray of a light is followed through, at most.
@@ -35,11 +35,13 @@ pub struct TrueColors {
 pub struct RsmImage {
     /// Texels along the edge of a view.
     pub size: u32,
+    /// Which views there are.
+    pub views: RsmViews,
     /// What each texel holds.
     pub channels: RsmChannels,
     /// Where the views are taken from.
     pub frames: Vec<LightFrame>,
-    /// Box around what captures see.
+    /// Box around all surfaces.
     pub bounds: Bounds,
     /// Position of the surface in metres.
     pub position: Vec<Vec3>,
@@ -67,7 +69,8 @@ impl RsmImage {
 
     /// Views without a photon, with the channels of `spec`.
     pub fn new(scene: &Scene, spec: RsmSpec) -> Self {
-        Self::blank(scene.light_frames(), Bounds::of_captured(scene), spec)
+        let frames = scene.light_frames(spec.views);
+        Self::blank(frames, Bounds::of_all(scene), spec)
     }
 
     /// Views from these frames without a photon.
@@ -77,6 +80,7 @@ impl RsmImage {
         let channels = spec.channels;
         Self {
             size: spec.size,
+            views: spec.views,
             channels,
             frames,
             bounds,
@@ -93,6 +97,7 @@ impl RsmImage {
     pub fn spec(&self) -> RsmSpec {
         RsmSpec {
             size: self.size,
+            views: self.views,
             channels: self.channels,
         }
     }

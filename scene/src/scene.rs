@@ -7,10 +7,10 @@ use glam::Vec3;
 /// What a mesh is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
-    /// Sends indirect light: captures see it.
+    /// Sends indirect light: every capture sees it.
     Environment,
-    /// Receives indirect light: it carries the points, and captures leave it out, as casters of
-    /// shadows too. Only the path tracer knows it as an occluder and a reflector.
+    /// Receives indirect light: it carries the points, and cube captures around it leave it out, as a
+    /// caster of shadows too. Reflective shadow maps and depth maps along directions see it.
     Receiver,
 }
 
@@ -68,7 +68,7 @@ impl Scene {
     }
 
     /// The objects of one role.
-    pub fn objects_of(&self, role: Role) -> impl Iterator<Item = &Object> {
+    pub fn objects_of(&self, role: Role) -> impl Iterator<Item = &Object> + Clone {
         self.objects.iter().filter(move |o| o.role == role)
     }
 

@@ -1,6 +1,9 @@
 //! What every scene promises: indices in range, finite numbers, unit normals.
 
-use crate::{Camera, Environment, Light, Material, Mesh, Object, Role, Scene, SceneError, motion};
+use crate::{
+    Camera, Environment, Light, LightPicture, Material, Mesh, Object, Role, Scene, SceneError,
+    motion,
+};
 use glam::Vec3;
 
 /// Largest distance of a stored normal's length from 1: a few roundings of f32.
@@ -230,13 +233,28 @@ pub(crate) fn is_power(v: Vec3) -> bool {
     v.is_finite() && v.min_element() >= 0.0 && v.max_element() <= LARGEST_POWER
 }
 
+/// Whether a view has a direction, an upward direction across it, and an opening angle.
+fn is_picture(picture: LightPicture) -> bool {
+    let LightPicture {
+        direction,
+        up,
+        angle_deg,
+    } = picture;
+    is_unit(direction)
+        && is_unit(up)
+        && direction.dot(up).abs() < UNIT_TOLERANCE
+        && angle_deg > 0.0
+        && angle_deg < 180.0
+}
+
 fn is_sound(light: &Light) -> bool {
     let unit = is_unit;
     match *light {
         Light::Point {
             position,
             intensity,
-        } => is_near(position) && is_power(intensity),
+            picture,
+        } => is_near(position) && is_power(intensity) && picture.is_none_or(is_picture),
         Light::Spot {
             position,
             direction,
@@ -247,11 +265,11 @@ fn is_sound(light: &Light) -> bool {
         } => {
             is_near(position)
                 && is_power(intensity)
-                && unit(direction)
-                && unit(up)
-                && direction.dot(up).abs() < UNIT_TOLERANCE
-                && angle_deg > 0.0
-                && angle_deg < 180.0
+                && is_picture(LightPicture {
+                    direction,
+                    up,
+                    angle_deg,
+                })
         }
         Light::Directional {
             direction,
@@ -262,8 +280,10 @@ fn is_sound(light: &Light) -> bool {
             normal,
             area_m2,
             flux,
+            picture,
         } => {
             is_near(position)
+                && picture.is_none_or(is_picture)
                 && unit(normal)
                 && area_m2 > 0.0
                 && area_m2.is_finite()

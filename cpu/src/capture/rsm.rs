@@ -7,9 +7,9 @@ use interreflect_scene::{LightFrame, RsmImage, RsmSpec, TrueColors, conventions}
 use rayon::prelude::*;
 use std::f32::consts::FRAC_1_PI;
 
-/// Captures the environment objects from every light of the scene.
+/// Captures all objects, receivers too, from every light of the scene.
 ///
-/// Receivers are absent: neither seen nor in the way. What the first ray meets is lit, so there is
+/// What the first ray meets is lit, so there is
 /// no shadow ray; at a mirror the ray is followed through at most [`MAX_MIRRORS`] of them, by their
 /// interpolated normals, and what it then meets gets the irradiance I·cos α/b², b the length of the
 /// whole way, times the mirrors' reflectances: exact for plane mirrors. A curved one widens or
@@ -55,7 +55,7 @@ impl LitPlace {
     /// What the ray through (s, t) ∈ [−1, 1]² of a view lights; `None` if it meets nothing, or
     /// carries no light.
     pub fn along(scene: &CpuScene, frame: &LightFrame, s: f64, t: f64) -> Option<Self> {
-        let objects = scene.environment_objects();
+        let objects = scene.all_objects();
         let (start, leaving) = frame.ray(s, t);
         let (mut origin, mut direction) = (start, leaving);
         let (mut path_m, mut throughput) = (0.0, Vec3::ONE);

@@ -1,6 +1,6 @@
 //! What the method claims.
 
-use super::{DirectRadianceMap, Formula};
+use super::{DirectRadianceMap, Formula, Pictures};
 use crate::{Answers, Claim, Quantity};
 
 /// A few photons stand for all: no more than what they are can be claimed of their sum.
@@ -10,7 +10,7 @@ pub(super) fn claims(params: &DirectRadianceMap, quantity: Quantity) -> Vec<Clai
         Claim::Linear,
         Claim::TranslationInvariant,
     ];
-    if params.sees_middles() {
+    if params.samples_symmetrically() {
         claims.push(Claim::CubeSymmetric);
     }
     if params.formula() != Formula::Constant {
@@ -20,7 +20,8 @@ pub(super) fn claims(params: &DirectRadianceMap, quantity: Quantity) -> Vec<Clai
             cause: "measured: photons cover all that the light sees",
         });
     }
-    let fine = params.formula() == Formula::Corrected && params.samples_per_side >= 3;
+    let complete = params.pictures == Pictures::Surround;
+    let fine = params.formula() == Formula::Corrected && params.samples_per_side >= 3 && complete;
     if fine && quantity == Quantity::Irradiance {
         let cause = "a photon is a disc, and its wall is curved";
         claims.extend([

@@ -8,7 +8,6 @@ use crate::{Cpu, Estimator, EstimatorError, Frame, Prepared, Quantity, Records};
 use interreflect_cpu::lane::{Lane, Vector};
 use interreflect_cpu::tiles::{PointLanes, TileKernel};
 use interreflect_scene::PointLayout;
-use std::f64::consts::FRAC_1_PI;
 
 /// The photons.
 pub struct Photons {
@@ -115,8 +114,8 @@ impl<'a, F: Omega> Sum<'a, F> {
         match (shining, frame.quantity == Quantity::GlossyRadiance) {
             (false, false) => frame.for_each_tile(&Irradiance::<_, false>(self)),
             (true, false) => frame.for_each_tile(&Irradiance::<_, true>(self)),
-            (false, true) => frame.for_each_tile(&Diffuse(self)),
-            (true, true) => frame.for_each_tile(&Glossy(self)),
+            (false, true) => frame.for_each_tile(&Glossy::<_, false>(self)),
+            (true, true) => frame.for_each_tile(&Glossy::<_, true>(self)),
         }
     }
 
@@ -140,47 +139,30 @@ impl<'a, F: Omega> Sum<'a, F> {
         }
         (i, omega, radiance)
     }
+}
 
-    /// E = Σ L·(n·ω)⁺·Δω.
+/// E = Σ L·(n·ω)⁺·Δω.
+struct Irradiance<'a, F, const SHINING: bool>(Sum<'a, F>);
+
+impl<F: Omega, const SHINING: bool> TileKernel for Irradiance<'_, F, SHINING> {
     #[inline(always)]
-    fn irradiance<const SHINING: bool, L: Lane>(&self, points: &PointLanes<'_, L>) -> [L; 3] {
+    fn shade<L: Lane>(&self, points: &PointLanes<'_, L>) -> [L; 3] {
         let x = points.vector(PointLayout::POSITION);
         let n = points.vector(PointLayout::NORMAL);
         let zero = L::from(0.0);
         let mut sum = [zero; 3];
-        for index in 0..self.photons.len() {
-            let (i, omega, radiance) = self.seen::<SHINING, L>(index, x);
+        for index in 0..self.0.photons.len() {
+            let (i, omega, radiance) = self.0.seen::<SHINING, L>(index, x);
             accumulate(&mut sum, radiance, omega * n.dot(i).max(zero));
         }
         sum
     }
 }
 
-struct Irradiance<'a, F, const SHINING: bool>(Sum<'a, F>);
-
-impl<F: Omega, const SHINING: bool> TileKernel for Irradiance<'_, F, SHINING> {
-    #[inline(always)]
-    fn shade<L: Lane>(&self, points: &PointLanes<'_, L>) -> [L; 3] {
-        self.0.irradiance::<SHINING, L>(points)
-    }
-}
-
-/// k_d/π·E: where photons are Lambertian, the points are too.
-struct Diffuse<'a, F>(Sum<'a, F>);
-
-impl<F: Omega> TileKernel for Diffuse<'_, F> {
-    #[inline(always)]
-    fn shade<L: Lane>(&self, points: &PointLanes<'_, L>) -> [L; 3] {
-        let irradiance = self.0.irradiance::<false, L>(points);
-        let over_pi = L::splat(FRAC_1_PI);
-        std::array::from_fn(|c| points.plane(PointLayout::DIFFUSE + c) * over_pi * irradiance[c])
-    }
-}
-
 /// Σ L·f_r·(n·ω)⁺·Δω with the points' own lobes.
-struct Glossy<'a, F>(Sum<'a, F>);
+struct Glossy<'a, F, const SHINING: bool>(Sum<'a, F>);
 
-impl<F: Omega> TileKernel for Glossy<'_, F> {
+impl<F: Omega, const SHINING: bool> TileKernel for Glossy<'_, F, SHINING> {
     #[inline(always)]
     fn shade<L: Lane>(&self, points: &PointLanes<'_, L>) -> [L; 3] {
         let x = points.vector(PointLayout::POSITION);
@@ -191,7 +173,7 @@ impl<F: Omega> TileKernel for Glossy<'_, F> {
         let zero = [L::from(0.0); 3];
         let (mut diffuse, mut specular) = (zero, zero);
         for index in 0..self.0.photons.len() {
-            let (i, omega, radiance) = self.0.seen::<true, L>(index, x);
+            let (i, omega, radiance) = self.0.seen::<SHINING, L>(index, x);
             let half = cos_half(n, i, v);
             let (d, s) = normalised_reflectivity(n.dot(i), half, shininess, normalisation);
             accumulate(&mut diffuse, radiance, d * omega);

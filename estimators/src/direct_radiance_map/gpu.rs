@@ -174,12 +174,11 @@ impl DirectRadianceMap {
         frame: &Frame<'_, Gpu>,
         photons: &GpuPhotons,
     ) -> Result<Vec<Kernel>, EstimatorError> {
-        let entry = match (self.shining(), frame.quantity == Quantity::GlossyRadiance) {
-            (false, false) => "irradiance",
-            (false, true) => "diffuse",
-            (true, false) => "irradiance_shining",
-            (true, true) => "glossy_shining",
+        let entry = match frame.quantity {
+            Quantity::GlossyRadiance => "glossy",
+            _ => "irradiance",
         };
+        let shining = f64::from(u8::from(self.shining()));
         let formula = match self.formula() {
             Formula::Constant => 0.0,
             Formula::Published => 1.0,
@@ -206,7 +205,7 @@ impl DirectRadianceMap {
                     (&photons.photons).into(),
                     (&photons.highlights).into(),
                 ];
-                let constants = [("formula", formula)];
+                let constants = [("formula", formula), ("shining", shining)];
                 Ok(context.kernel_with(shader, entry, &constants, &bindings)?)
             })
             .collect()

@@ -13,9 +13,9 @@ mod samples;
 use crate::leaves::Leaves;
 use crate::{Claim, Figure, Info, Method, OwnModel, Quantity, Reference, Unsupported};
 use interreflect_scene::params::Fidelity;
-use interreflect_scene::{Needs, RsmChannels, RsmSpec, SceneFacts};
+use interreflect_scene::{Needs, RsmChannels, RsmSpec, RsmViews, SceneFacts};
 
-pub use params::{DirectRadianceMap, SolidAngle, Surface, TexelOf};
+pub use params::{DirectRadianceMap, Pictures, SolidAngle, Surface, TexelOf};
 
 impl Method for DirectRadianceMap {
     const INFO: Info = Info {
@@ -55,10 +55,9 @@ impl Method for DirectRadianceMap {
                     .into(),
             ));
         }
-        if !scene.surfaces {
+        if !scene.occluders {
             return Err(Unsupported(
-                "there is no surface that the lights could shine on: add an environment object"
-                    .into(),
+                "there is no surface that the lights could shine on: add a mesh".into(),
             ));
         }
         Ok(Needs {
@@ -95,6 +94,10 @@ impl DirectRadianceMap {
         let shining = self.shining();
         RsmSpec {
             size: self.map_resolution,
+            views: match self.pictures {
+                Pictures::One => RsmViews::Picture,
+                Pictures::Surround => RsmViews::Surround,
+            },
             channels: RsmChannels {
                 radiance: !shining,
                 normal: shining || self.formula() != Formula::Constant,
@@ -121,10 +124,12 @@ impl DirectRadianceMap {
         self.mip && self.fidelity == Fidelity::Corrected
     }
 
-    /// Whether each sample lies in the middle of its cell, so that a mirrored view has mirrored samples.
-    fn sees_middles(&self) -> bool {
+    /// Whether a scene that is turned or mirrored about the axes has samples that are: its views do, and
+    /// each sample lies in the middle of its cell.
+    fn samples_symmetrically(&self) -> bool {
         let texels = self.map_resolution / self.samples_per_side;
-        self.map_resolution.is_multiple_of(self.samples_per_side) && texels % 2 == 1
+        let middles = self.map_resolution.is_multiple_of(self.samples_per_side) && texels % 2 == 1;
+        middles && self.pictures == Pictures::Surround
     }
 
     /// Whether a photon's solid angle is the same whatever its area.

@@ -27,6 +27,17 @@ pub enum TexelOf {
     Texture,
 }
 
+/// What a light is pictured from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Pictures {
+    /// One picture a light, in the direction that the scene gives: what it does not show is not counted.
+    #[default]
+    One,
+    /// As many pictures as show all that the light shines on, N² samples in each (ours).
+    Surround,
+}
+
 /// How lit surfaces reflect.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
@@ -46,10 +57,12 @@ pub struct DirectRadianceMap {
     #[schemars(range(min = 1, max = 256))]
     #[schemars(extend("symbol" = "w", "unit" = "texels", "scale" = "log"))]
     pub map_resolution: u32,
-    /// Samples along the edge of the grid over a light's view, at most its texels.
+    /// Samples along the edge of the grid over a picture, at most its texels.
     #[default(3)]
     #[schemars(range(min = 1, max = 64), extend("symbol" = "N", "scale" = "log"))]
     pub samples_per_side: u32,
+    /// One picture a light, or as many as show all that it shines on (ours).
+    pub pictures: Pictures,
     /// The paper literally, errata included, or what it meant.
     pub fidelity: Fidelity,
     /// `published` only: a sample's solid angle by equation 11, 14 or 15.

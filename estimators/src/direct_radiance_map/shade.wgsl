@@ -2,6 +2,8 @@
 
 // What a photon counts: 0 its extent, 1 by eq 14, 2 by the disc formula.
 override formula: u32 = 1u;
+// Lit surfaces reflect by their whole material.
+override shining: bool = false;
 
 struct Shade {
     // First photon of this part, and number of photons in it.
@@ -32,8 +34,11 @@ fn seen(k: u32, x: vec3f) -> Seen {
     return Seen(towards.i, omega);
 }
 
-// Radiance of a photon against the direction `i`, by its whole material.
+// Radiance of a photon against the direction `i`.
 fn radiance_against(k: u32, i: vec3f) -> vec3f {
+    if !shining {
+        return photons[k].radiance;
+    }
     let half = cos_half(photons[k].normal, highlights[k].to_light, -i);
     return photons[k].radiance + highlights[k].radiance * lobe_power(half, photons[k].shininess);
 }
@@ -46,35 +51,8 @@ fn write_sum(point: u32, value: vec3f) {
     }
 }
 
-fn lambertian_irradiance(point: u32) -> vec3f {
-    let x = point_vector(point, POSITION);
-    let n = point_vector(point, NORMAL);
-    var sum = vec3f(0.0);
-    for (var k = shade.first; k < shade.first + shade.count; k++) {
-        let seen = seen(k, x);
-        sum += photons[k].radiance * (seen.omega * max(dot(n, seen.i), 0.0));
-    }
-    return sum;
-}
-
 @compute @workgroup_size(64)
 fn irradiance(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
-    let point = point_index(group, groups, lane);
-    if has_surface(point) {
-        write_sum(point, lambertian_irradiance(point));
-    }
-}
-
-@compute @workgroup_size(64)
-fn diffuse(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
-    let point = point_index(group, groups, lane);
-    if has_surface(point) {
-        write_sum(point, point_vector(point, DIFFUSE) * INV_PI * lambertian_irradiance(point));
-    }
-}
-
-@compute @workgroup_size(64)
-fn irradiance_shining(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
     let point = point_index(group, groups, lane);
     if !has_surface(point) {
         return;
@@ -90,7 +68,7 @@ fn irradiance_shining(@builtin(workgroup_id) group: vec3u, @builtin(num_workgrou
 }
 
 @compute @workgroup_size(64)
-fn glossy_shining(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
+fn glossy(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
     let point = point_index(group, groups, lane);
     if !has_surface(point) {
         return;

@@ -1,7 +1,7 @@
 //! A method that declares what it never reads is told so, for every kind of capture.
 
 use super::*;
-use interreflect_scene::{PointLayout, RsmChannels};
+use interreflect_scene::{PointLayout, RsmChannels, RsmViews};
 
 /// What is left of these needs after two phases have read those.
 fn unread(needs: &Needs, read: [Needs; 2]) -> Needs {
@@ -46,6 +46,7 @@ fn each() -> [(&'static str, Needs); 5] {
     };
     let view = RsmSpec {
         size: 8,
+        views: RsmViews::Picture,
         channels: RsmChannels::default(),
     };
     let nothing = Needs::default;

@@ -4,10 +4,10 @@ use super::raster::{Drawing, RASTER, array_view, begin_pass, layer_view};
 use super::shadow::SHADOW_MAPS;
 use crate::pipeline::{Raster, RenderSpec};
 use crate::rsm::Planes;
-use crate::scene::MATERIAL;
+use crate::scene::{Bounds, MATERIAL};
 use crate::{Binding, GpuContext, GpuCx, GpuError, GpuRsm, GpuScene, Shader, scene, wgsl};
 use bytemuck::{Pod, Zeroable};
-use interreflect_scene::{LightFrame, Projection, RsmSpec};
+use interreflect_scene::{LightFrame, Projection, RsmSpec, light_frames};
 
 pub(crate) const SHADER: Shader = Shader {
     label: "RSMs",
@@ -55,10 +55,11 @@ pub(crate) struct Views {
     pub(crate) channels: u32,
     pub(crate) triangles: u32,
     pub(crate) ray_start: f32,
+    pub(crate) pixels: u32,
 }
 
 impl Frame {
-    fn new(frame: &LightFrame, scene: &GpuScene) -> Self {
+    fn new(frame: &LightFrame, extent: Bounds) -> Self {
         Self {
             origin: frame.origin.to_array(),
             light: frame.light,
@@ -67,12 +68,12 @@ impl Frame {
             right: frame.right.to_array(),
             orthographic: u32::from(frame.projection == Projection::Orthographic),
             down: frame.down.to_array(),
-            near: scene.bounds.near(frame.origin),
+            near: extent.near(frame.origin),
         }
     }
 }
 
-/// Records views from every light: what `spec` asks for, of surfaces with `Role::Environment`.
+/// Records views from every light: what `spec` asks for, of all surfaces.
 ///
 /// Surfaces are rasterised to find the triangle of each texel, then each texel's ray is cut with
 /// the triangle's plane: no shadow pass, for what a light's ray meets first is lit. Where the scene
@@ -85,20 +86,29 @@ impl Frame {
 /// [`MAX_MIRRORED_TRIANGLES`], or another [`GpuError`] if the device has no room.
 pub fn capture_rsms(cx: &mut GpuCx, scene: &GpuScene, spec: RsmSpec) -> Result<GpuRsm, GpuError> {
     let context = cx.context().clone();
-    let view = GpuRsm::blank(&context, scene.frames.clone(), scene.captured, spec)?;
-    let Some(lights) = scene.lights.as_ref().filter(|_| scene.vertex_count > 0) else {
+    let from = light_frames(&scene.view_lights, &scene.extent, spec.views);
+    let count = from.len() as u32;
+    let extent = Bounds::around(&scene.extent);
+    let frames: Vec<_> = from.iter().map(|f| Frame::new(f, extent)).collect();
+    let view = GpuRsm::blank(&context, from, scene.extent, spec)?;
+    let Some(lights) = scene.lights.as_ref().filter(|_| scene.all_vertex_count > 0) else {
         return Ok(view);
     };
-    let triangles = scene.vertex_count / 3;
+    let triangles = scene.all_vertex_count / 3;
     if scene.corner_normals.is_some() && triangles > MAX_MIRRORED_TRIANGLES {
         return Err(GpuError::MirroredTriangles {
             triangles,
             max: MAX_MIRRORED_TRIANGLES,
         });
     }
-    let frames: Vec<_> = scene.frames.iter().map(|f| Frame::new(f, scene)).collect();
     let frames = context.storage("frames of RSMs", &frames)?;
-    let seen = rasterise(cx, &context, scene, &frames, spec.size)?;
+    let seen = rasterise(
+        cx,
+        &context,
+        scene,
+        (&frames, count),
+        spec.size * pixels_per_texel(spec.size),
+    )?;
     let views = Views {
         size: spec.size,
         channels: u32::from(spec.channels.radiance)
@@ -106,7 +116,8 @@ pub fn capture_rsms(cx: &mut GpuCx, scene: &GpuScene, spec: RsmSpec) -> Result<G
             | u32::from(spec.channels.true_colors) << 2,
         triangles,
         // Rays start on mirrors: so far, positions in f32 are off their plane.
-        ray_start: 4e-6 * scene.bounds.reach(),
+        ray_start: 4e-6 * extent.reach(),
+        pixels: pixels_per_texel(spec.size),
     };
     let views = context.uniform("RSMs", &views)?;
     let Planes {
@@ -131,7 +142,6 @@ pub fn capture_rsms(cx: &mut GpuCx, scene: &GpuScene, spec: RsmSpec) -> Result<G
         normal.into(),
         true_colors.into(),
     ];
-    let count = scene.frames.len() as u32;
     let resolve = context.kernel(&SHADER, "resolve", &bindings)?;
     resolve.record(cx, [spec.size.pow(2).div_ceil(64), count, 1]);
     if scene.corner_normals.is_some() {
@@ -141,15 +151,23 @@ pub fn capture_rsms(cx: &mut GpuCx, scene: &GpuScene, spec: RsmSpec) -> Result<G
     Ok(view)
 }
 
-/// Records which triangle each texel's ray meets first, one pass a frame.
+/// Pixels along the edge of a picture that are rasterised at least, where it has fewer texels.
+const PIXELS: u32 = 256;
+
+/// Pixels along the edge of a texel: odd, so that one lies in its middle. Corners are rasterised to 1/256 of a
+/// pixel, which of a coarse picture's texel is more than small triangles allow.
+fn pixels_per_texel(size: u32) -> u32 {
+    ((PIXELS / size).max(1) - 1) / 2 * 2 + 1
+}
+
+/// Records which triangle each pixel shows, `size`² pixels a frame, one pass a frame.
 fn rasterise(
     cx: &mut GpuCx,
     context: &GpuContext,
     scene: &GpuScene,
-    frames: &wgpu::Buffer,
+    (frames, layers): (&wgpu::Buffer, u32),
     size: u32,
 ) -> Result<wgpu::TextureView, GpuError> {
-    let layers = scene.frames.len() as u32;
     let seen = context.target_array("first surfaces of RSMs", size, layers, SEEN)?;
     let depth = context.depth_target(size)?;
     let spec = RenderSpec {
@@ -164,7 +182,8 @@ fn rasterise(
     for layer in 0..layers {
         let target = Some(layer_view(&seen, layer));
         let mut pass = begin_pass(cx, SHADER.label, &[target], &depth);
-        drawing.draw_scene(&mut pass, scene, layer);
+        let corners = scene.all_vertex_count;
+        drawing.draw(&mut pass, &scene.vertices, corners, layer);
     }
     Ok(array_view(&seen))
 }

@@ -30,8 +30,10 @@ struct Views {
     channels: u32,
     // Number of captured triangles.
     triangles: u32,
-    // Nearest distance at which a mirrored ray meets anything.
+    // Nearest distance at which a ray meets anything.
     ray_start: f32,
+    // Pixels of `seen` along the edge of a texel: odd, so that one lies in the middle.
+    pixels: u32,
 }
 
 @group(0) @binding(0) var<uniform> views: Views;
@@ -131,6 +133,33 @@ struct Met {
     throughput: vec3f,
 }
 
+// What a texel's ray meets first: triangle + 1, or 0, and the bits of the distance.
+//
+// The rasteriser moves corners by up to 1/256 of a pixel, so the pixel in the middle may show a triangle
+// beside the ray, or what lies behind one. Of the triangles that it and the pixels around it show, the nearest
+// that the ray meets counts; where it meets none, what the middle shows.
+fn first_seen(ray: Ray, column: u32, row: u32, view: u32) -> vec2u {
+    let middle = vec2i(vec2u(column, row) * views.pixels + views.pixels / 2u);
+    let last = i32(views.size * views.pixels) - 1;
+    var found = textureLoad(seen, middle, view, 0).xy;
+    var nearest = FAR;
+    var before = 0u;
+    for (var k = 0; k < 9; k++) {
+        let pixel = clamp(middle + vec2i(k % 3 - 1, k / 3 - 1), vec2i(0), vec2i(last));
+        let triangle = textureLoad(seen, pixel, view, 0).x;
+        if triangle == 0u || triangle == before {
+            continue;
+        }
+        before = triangle;
+        let distance = triangle_distance(triangle - 1u, ray);
+        if distance < nearest {
+            nearest = distance;
+            found = vec2u(triangle, bitcast<u32>(distance));
+        }
+    }
+    return found;
+}
+
 fn first_met(ray: Ray, seen_here: vec2u) -> Met {
     let triangle = seen_here.x - 1u;
     let vertex = corner(triangle, 0u) - ray.start;
@@ -176,12 +205,12 @@ fn resolve(@builtin(global_invocation_id) id: vec3u) {
     }
     let column = id.x % views.size;
     let row = id.x / views.size;
-    let seen_here = textureLoad(seen, vec2u(column, row), id.y, 0).xy;
+    let frame = frames[id.y];
+    let ray = texel_ray(frame, column, row);
+    let seen_here = first_seen(ray, column, row, id.y);
     if seen_here.x == 0u {
         return;
     }
-    let frame = frames[id.y];
-    let ray = texel_ray(frame, column, row);
     let met = first_met(ray, seen_here);
     if materials[triangle_material(met.triangle)].mirror == 0u {
         write_photon(view_index(column, row, id.y), frame, ray.direction, met);
@@ -236,7 +265,7 @@ fn mirrored(at: Met) -> vec3f {
 fn follow(@builtin(workgroup_id) texel: vec3u, @builtin(local_invocation_index) lane: u32) {
     let frame = frames[texel.z];
     let ray = texel_ray(frame, texel.x, texel.y);
-    let seen_here = textureLoad(seen, texel.xy, texel.z, 0).xy;
+    let seen_here = first_seen(ray, texel.x, texel.y, texel.z);
     if seen_here.x == 0u {
         return;
     }

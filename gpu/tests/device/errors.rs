@@ -179,6 +179,7 @@ fn too_many_lights(context: &Arc<GpuContext>) -> Result<(), Failed> {
     let light = Light::Point {
         position: Vec3::X,
         intensity: Vec3::ONE,
+        picture: None,
     };
     scene.lights = vec![light; MAX_LIGHTS + 1];
     let error = GpuScene::new(context, &scene).err();

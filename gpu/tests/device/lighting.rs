@@ -32,6 +32,7 @@ pub(crate) fn point() -> Light {
     Light::Point {
         position: Vec3::new(0.1, 0.8, -0.2),
         intensity: Vec3::new(3.0, 2.0, 1.0),
+        picture: None,
     }
 }
 
@@ -60,6 +61,7 @@ fn area() -> Light {
         normal: Vec3::new(0.1, -1.0, 0.0).normalize(),
         area_m2: 0.01,
         flux: Vec3::new(3.0, 2.0, 1.0),
+        picture: None,
     }
 }
 
@@ -163,6 +165,7 @@ fn walls_close_to_a_light_stay_lit(context: &Arc<GpuContext>) -> Result<(), Fail
         scene.lights.push(Light::Point {
             position: Vec3::new(0.0, y, 0.0),
             intensity: Vec3::ONE,
+            picture: None,
         });
         let image = capture(context, &scene, everything(64))?;
         let dark = image.radiance.iter().filter(|r| **r == Vec3::ZERO).count();

@@ -22,6 +22,7 @@ pub use verify::Verify;
 
 use crate::domain::record::Backend;
 use crate::running::settings::Setting;
+use crate::running::view::Shade;
 use clap::{Args, Parser, Subcommand, error::ErrorKind};
 use interreflect_estimators::Quantity;
 use std::{ffi::OsString, path::PathBuf};
@@ -155,6 +156,9 @@ pub struct ReferenceCommand {
     /// Number of points on the receivers
     #[arg(long, value_name = "COUNT", value_parser = count)]
     pub points: Option<usize>,
+    /// Surfaces to shade: receivers (every surface where there are none), or all
+    #[arg(long, value_name = "WHAT", default_value = "receivers", value_parser = choice::<Shade>())]
+    pub shade: Shade,
     /// Parameter of the path tracer; repeatable
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = setting)]
     pub settings: Vec<Setting>,

@@ -156,7 +156,7 @@ impl<'a> Campaign<'a> {
             let at = self.next;
             self.next += 1;
             let of_task = task.digest(quantity);
-            let run = (setup.run.points, setup.run.threads);
+            let run = &setup.run;
             let key = digest(&(
                 &self.settings.program,
                 hash,
@@ -185,9 +185,9 @@ impl<'a> Campaign<'a> {
             observer.warn(&warning);
         }
         let camera = setup.scene.camera;
-        let count = setup.run.points as usize;
+        let shaded = (setup.run.points as usize, setup.run.shade);
         let host = &loaded.cpu().scene;
-        let view = cx.install(|| View::of_about(host, &camera, count))?;
+        let view = cx.install(|| View::of_about(host, &camera, shaded))?;
         Ok(OpenedSetup {
             setup,
             hash,
@@ -216,7 +216,12 @@ impl<'a> Campaign<'a> {
         observer.begin(&setup.name, quantity, todo.len());
         let points = view.points(quantity.layout());
         let cache = self.settings.references.as_ref().map(|folder| {
-            let of = digest(&(&self.settings.program, hash, setup.run.points));
+            let of = digest(&(
+                &self.settings.program,
+                hash,
+                setup.run.points,
+                setup.run.shade,
+            ));
             Cache::new(folder.clone(), of)
         });
         let stop = self.settings.budget.stop();

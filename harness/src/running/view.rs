@@ -9,8 +9,8 @@ use crate::running::error::RunError;
 use glam::Vec3;
 use interreflect_cpu::scene::CpuScene;
 use interreflect_estimators::VisibleTriangles;
-use interreflect_scene::{Camera, Estimate, Point, PointLayout, Points, Role};
-pub use look::{Look, Mirrors, ShadedAt};
+use interreflect_scene::{Camera, Estimate, Point, PointLayout, Points};
+pub use look::{Look, Mirrors, Shade, ShadedAt};
 use traced::{footprint, traced};
 use vertices::Vertices;
 
@@ -66,25 +66,15 @@ const TRIAL: f64 = 96.0;
 pub const MAX_PIXELS: u64 = 1 << 24;
 
 impl View {
-    /// What `camera` sees. Receivers are shaded if the scene has any, else every surface.
-    ///
-    /// # Errors
-    /// [`RunError::Usage`] if the image has more than [`MAX_PIXELS`] pixels.
-    pub fn new(scene: &CpuScene, camera: &Camera) -> Result<Self, RunError> {
-        let [width, height] = camera.resolution;
-        Self::cropped(scene, camera, [0, 0, width, height], Mirrors::Included)
-    }
-
     /// What `camera` sees, made as asked.
     ///
     /// # Errors
-    /// As [`View::new`].
-    pub fn with(scene: &CpuScene, camera: &Camera, look: Look) -> Result<Self, RunError> {
+    /// [`RunError::Usage`] if the image has more than [`MAX_PIXELS`] pixels.
+    pub fn new(scene: &CpuScene, camera: &Camera, look: Look) -> Result<Self, RunError> {
         let [width, height] = camera.resolution;
-        let mirrors = look.mirrors;
         match look.at {
-            ShadedAt::Pixels => Self::cropped(scene, camera, [0, 0, width, height], mirrors),
-            ShadedAt::Vertices => Self::at_vertices(scene, camera, mirrors),
+            ShadedAt::Pixels => Self::cropped(scene, camera, [0, 0, width, height], look),
+            ShadedAt::Vertices => Self::at_vertices(scene, camera, look),
         }
     }
 
@@ -93,7 +83,15 @@ impl View {
     /// # Errors
     /// [`RunError::Usage`] if the camera sees nothing that is shaded, or if the window has more
     /// than [`MAX_PIXELS`] pixels.
-    pub fn of_about(scene: &CpuScene, camera: &Camera, count: usize) -> Result<Self, RunError> {
+    pub fn of_about(
+        scene: &CpuScene,
+        camera: &Camera,
+        (count, shade): (usize, Shade),
+    ) -> Result<Self, RunError> {
+        let look = Look {
+            shade,
+            ..Look::default()
+        };
         let scaled = |width: f64| {
             let [w, h] = camera.resolution.map(f64::from);
             let size = |v: f64| (v.round() as u32).max(1);
@@ -102,7 +100,7 @@ impl View {
                 ..*camera
             }
         };
-        let trial = Self::new(scene, &scaled(TRIAL))?;
+        let trial = Self::new(scene, &scaled(TRIAL), look)?;
         if trial.points.is_empty() {
             return Err(RunError::Usage(format!(
                 "{}: the camera sees no surface to shade; move it in the scene file",
@@ -123,7 +121,7 @@ impl View {
             high(x1, width).max(x0 + 1),
             high(y1, height).max(y0 + 1),
         ];
-        Self::cropped(scene, &camera, window, Mirrors::Included)
+        Self::cropped(scene, &camera, window, look)
     }
 
     /// The window [left, top, right, bottom) of the camera's image, in pixels.
@@ -131,12 +129,12 @@ impl View {
         scene: &CpuScene,
         camera: &Camera,
         window: [u32; 4],
-        mirrors: Mirrors,
+        look: Look,
     ) -> Result<Self, RunError> {
         let [x0, y0, x1, y1] = window;
         let (width, height) = (x1 - x0, y1 - y0);
         check_size(width, height)?;
-        let traced = traced(scene, camera, window, mirrors);
+        let traced = traced(scene, camera, window, look);
         let traced_points: Vec<_> = traced.iter().map(|traced| traced.point).collect();
         let mut points = Vec::new();
         let pixels = traced.iter().enumerate().map(|(i, traced)| {
@@ -162,12 +160,11 @@ impl View {
     ///
     /// # Errors
     /// As [`View::new`].
-    fn at_vertices(scene: &CpuScene, camera: &Camera, mirrors: Mirrors) -> Result<Self, RunError> {
+    fn at_vertices(scene: &CpuScene, camera: &Camera, look: Look) -> Result<Self, RunError> {
         let [width, height] = camera.resolution;
         check_size(width, height)?;
-        let only_receivers = scene.scene().objects_of(Role::Receiver).next().is_some();
-        let vertices = Vertices::new(scene.scene(), camera.eye, only_receivers);
-        let traced = traced(scene, camera, [0, 0, width, height], mirrors);
+        let vertices = Vertices::new(scene.scene(), camera.eye, look.shade);
+        let traced = traced(scene, camera, [0, 0, width, height], look);
         let mut visible = Vec::new();
         let pixels = traced.iter().map(|traced| {
             let hit = traced.hit.filter(|_| traced.point.is_some());

@@ -184,6 +184,7 @@ fn light(s: &Settings) -> Option<Light> {
             normal: Vec3::NEG_Y,
             area_m2: PATCH_AREA_M2,
             flux,
+            picture: None,
         }),
         Lamp::Spot => {
             let cone_sr = 2.0 * PI * (1.0 - (0.5 * s.angle_deg).to_radians().cos());

@@ -98,10 +98,23 @@ impl LightMotion {
             }
             Light::Directional { direction, .. } => *direction = towards.unwrap_or(*direction),
             Light::Area {
-                position, normal, ..
+                position,
+                normal,
+                picture,
+                ..
             } => {
                 *position = at.unwrap_or(*position);
-                *normal = towards.unwrap_or(*normal);
+                if let Some(to) = towards.filter(|to| to != normal) {
+                    // Its picture is fixed to it.
+                    let turn = Quat::from_rotation_arc(*normal, to);
+                    if let Some(picture) = picture {
+                        picture.direction = (turn * picture.direction).normalize();
+                        let up = turn * picture.up;
+                        let ahead = picture.direction;
+                        picture.up = (up - ahead * ahead.dot(up)).normalize();
+                    }
+                    *normal = to;
+                }
             }
         }
         moved

@@ -2,7 +2,7 @@
 
 use crate::{ROUNDING, near};
 use glam::Vec3;
-use interreflect_scene::{Bounds, Light, LightFrame, Projection, SpotShape};
+use interreflect_scene::{Bounds, Light, LightFrame, Projection, RsmViews, SpotShape};
 use std::f32::consts::FRAC_1_SQRT_2 as H;
 
 fn only(frames: &[LightFrame]) -> LightFrame {
@@ -33,7 +33,7 @@ fn a_spot_s_view_is_upright() {
             angle_deg: 120.0,
             intensity: Vec3::ONE,
         };
-        let frame = only(&spot.frames(7, &BOX));
+        let frame = only(&spot.frames(7, &BOX, RsmViews::Picture));
         assert_eq!((frame.light, frame.origin), (7, position));
         assert_eq!(frame.projection, Projection::Perspective);
         near(frame.axis, direction);
@@ -64,7 +64,7 @@ fn parallel_light_is_looked_along_from_outside() {
         direction,
         irradiance: Vec3::ONE,
     };
-    let frame = only(&light.frames(0, &BOX));
+    let frame = only(&light.frames(0, &BOX, RsmViews::Picture));
     assert_eq!(frame.projection, Projection::Orthographic);
     // Half the diagonal of 4 × 2 × 4 is 3; a hundredth more.
     assert!((frame.half - 3.03).abs() < 1e-5, "{}", frame.half);
@@ -90,8 +90,9 @@ fn the_views_of_points_and_areas_are_faces_of_cubes() {
     let point = Light::Point {
         position,
         intensity: Vec3::ONE,
+        picture: None,
     };
-    let frames = point.frames(0, &BOX);
+    let frames = point.frames(0, &BOX, RsmViews::Surround);
     let axes = [
         Vec3::X,
         Vec3::NEG_X,
@@ -117,8 +118,9 @@ fn the_views_of_points_and_areas_are_faces_of_cubes() {
         normal,
         area_m2: 1.0,
         flux: Vec3::ONE,
+        picture: None,
     };
-    let frames = area.frames(0, &BOX);
+    let frames = area.frames(0, &BOX, RsmViews::Surround);
     assert_eq!(frames.len(), 5);
     near(frames[0].axis, normal);
     for side in &frames[1..] {
@@ -138,6 +140,7 @@ fn light_falls_by_the_square_of_the_distance() {
     let point = Light::Point {
         position: from,
         intensity: Vec3::new(8.0, 4.0, 2.0),
+        picture: None,
     };
     let arriving = point.incident(Vec3::new(1.0, -2.0, 0.0)).unwrap();
     near(arriving.irradiance, Vec3::new(2.0, 1.0, 0.5));

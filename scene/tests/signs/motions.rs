@@ -106,6 +106,7 @@ fn lights_go_on_straight_lines_and_great_circles() {
     let point = Light::Point {
         position: Vec3::ONE,
         intensity: Vec3::ONE,
+        picture: None,
     };
     let Light::Point { position, .. } = motion.of(&point, 1.0) else {
         panic!("still a point light");
@@ -124,6 +125,7 @@ fn lights_go_on_straight_lines_and_great_circles() {
         normal: Vec3::Z,
         area_m2: 1.0,
         flux: Vec3::ONE,
+        picture: None,
     };
     let Light::Area {
         position, normal, ..

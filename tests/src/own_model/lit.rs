@@ -9,9 +9,8 @@ use interreflect_cpu::scene::CpuScene;
 use interreflect_cpu::tiles::{PointLanes, TileKernel};
 use interreflect_estimators::Quantity;
 use interreflect_scene::material::blinn_phong_normalisation;
-use interreflect_scene::{LightFrame, PointLayout};
+use interreflect_scene::{LightFrame, RsmViews};
 use rayon::prelude::*;
-use std::f64::consts::FRAC_1_PI;
 
 /// Patches of all views of the finer integral, about.
 pub(super) const PATCHES: usize = 6 * 96 * 96;
@@ -22,8 +21,6 @@ pub(super) struct Lit {
     origin: DVec3,
     /// The points reflect by their lobes.
     glossy: bool,
-    /// The points reflect by Lambert's law.
-    diffuse: bool,
 }
 
 struct Patch {
@@ -49,10 +46,9 @@ impl Lit {
         quantity: Quantity,
         patches: usize,
     ) -> Self {
-        let frames = scene.scene().light_frames();
+        let frames = scene.scene().light_frames(RsmViews::Surround);
         let size = ((patches / frames.len().max(1)) as f64).sqrt().max(1.0) as u32;
         let origin = scene.scene().reference_point.as_dvec3();
-        let glossy = quantity == Quantity::GlossyRadiance;
         let mut patches = Vec::new();
         for frame in &frames {
             let cells: Vec<Cell> = (0..size * size)
@@ -71,8 +67,7 @@ impl Lit {
         Self {
             patches,
             origin,
-            glossy: glossy && directional,
-            diffuse: glossy && !directional,
+            glossy: quantity == Quantity::GlossyRadiance,
         }
     }
 }
@@ -169,12 +164,6 @@ impl TileKernel for Lit {
         }
         if self.glossy {
             return total.reflected(points);
-        }
-        if self.diffuse {
-            let over_pi = L::splat(FRAC_1_PI);
-            return std::array::from_fn(|c| {
-                points.plane(PointLayout::DIFFUSE + c) * over_pi * total.diffuse[c]
-            });
         }
         total.diffuse
     }

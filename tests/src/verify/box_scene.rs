@@ -166,6 +166,7 @@ impl BoxScene {
         let lamp = Light::Point {
             position: self.placement.at(self.lamp),
             intensity: Vec3::splat(self.placement.size().powi(2)),
+            picture: None,
         };
         let lit = self.lighting == Lighting::Lamp;
         lit.then_some(lamp).into_iter().collect()

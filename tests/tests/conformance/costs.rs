@@ -7,7 +7,7 @@ use interreflect_cpu::scene::CpuScene;
 use interreflect_estimators::{Changed, Quantity};
 use interreflect_gpu::{GpuContext, GpuError, capture_cube, capture_rsms};
 use interreflect_scene::conventions::CUBE_FACES;
-use interreflect_scene::{CubeSpec, Needs, Point, Points};
+use interreflect_scene::{CubeSpec, Needs, Point, Points, RsmSpec};
 use libtest_mimic::{Failed, Trial};
 use std::sync::Arc;
 
@@ -186,10 +186,10 @@ fn mirrors(context: &Arc<GpuContext>) -> Outcome {
                 ..Needs::default()
             };
             let passes = capture_passes(context, test_scene, &only)?;
-            let views = test_scene.cpu.scene().light_frames().len();
-            let each = views + 1 + usize::from(expected);
+            let views = |spec: &RsmSpec| test_scene.cpu.scene().light_frames(spec.views).len();
+            let each = |spec| views(spec) + 1 + usize::from(expected);
             ensure!(
-                passes.len() == each * only.rsms.len(),
+                passes.len() == only.rsms.iter().map(each).sum::<usize>(),
                 "{}: {passes:?}",
                 variant.name()
             );

@@ -2,6 +2,7 @@
 
 mod mirrors;
 mod model;
+mod pictures;
 mod point_set;
 
 use crate::ensure;
@@ -45,6 +46,7 @@ pub(crate) fn trials() -> Vec<Trial> {
         "radiance_maps/long_sums_come_in_parts/gpu".into(),
         |context| long_sums_come_in_parts(&gpu_scene(context, &LIT[5])?, &LIT[5]),
     ));
+    trials.extend(pictures::trials());
     trials.extend(point_set::trials());
     trials.extend(mirrors::trials());
     trials.extend(model::trials());
@@ -69,6 +71,7 @@ const LIGHTS: [Light; 4] = [
     Light::Point {
         position: Vec3::new(0.3, 0.7, -0.2),
         intensity: Vec3::new(1.0, 0.8, 0.6),
+        picture: None,
     },
     Light::Spot {
         position: Vec3::new(0.05, 0.9, 0.02),
@@ -83,6 +86,7 @@ const LIGHTS: [Light; 4] = [
         normal: Vec3::NEG_Y,
         area_m2: 0.1,
         flux: Vec3::new(3.0, 2.0, 2.5),
+        picture: None,
     },
     Light::Directional {
         direction: Vec3::new(0.6, -0.8, 0.0),
@@ -95,10 +99,12 @@ const OFF_EDGES: [Light; 2] = [
     Light::Point {
         position: Vec3::new(0.3137, 0.6971, -0.2113),
         intensity: Vec3::new(1.0, 0.8, 0.6),
+        picture: None,
     },
     Light::Point {
         position: Vec3::new(-0.5171, 0.1319, 0.3391),
         intensity: Vec3::new(0.6, 0.7, 0.9),
+        picture: None,
     },
 ];
 
@@ -259,6 +265,7 @@ fn long_sums_come_in_parts<S: BackendScene>(loaded: &S, test_scene: &TestScene) 
         ("samples_per_side", "64"),
         ("map_resolution", "64"),
         ("fidelity", "corrected"),
+        ("pictures", "surround"),
     ];
     let on_cpu = shaded(&cpu_scene(test_scene), test_scene, &settings)?;
     let tolerance = Tolerance {

@@ -5,6 +5,7 @@ use super::options::{Backends, ReferenceOptions, RunOptions, SceneOptions, Timin
 use super::values::{choice, count, setting};
 use crate::running::campaign::Selection;
 use crate::running::settings::Setting;
+use crate::running::view::Shade;
 use clap::Args;
 use interreflect_estimators::Quantity;
 use std::path::PathBuf;
@@ -50,9 +51,12 @@ pub struct What {
     /// Which backends to run on
     #[arg(long, value_enum, default_value = "both")]
     pub backend: Backends,
-    /// Number of points on the receivers of each scene
+    /// Number of points on the surfaces that are shaded
     #[arg(long, value_name = "COUNT", value_parser = count)]
     pub points: Option<usize>,
+    /// Surfaces to shade: receivers (every surface where there are none), or all
+    #[arg(long, value_name = "WHAT", default_value = "receivers", value_parser = choice::<Shade>())]
+    pub shade: Shade,
     /// How long each run is timed.
     #[command(flatten)]
     pub timing: TimingOptions,
@@ -76,6 +80,7 @@ impl What {
             settings: self.settings.clone(),
             backends: self.backend.list(),
             points: self.points,
+            shade: self.shade,
             threads: self.run.threads,
             scene_changes: self.scene.changes(),
         }

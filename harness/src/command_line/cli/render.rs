@@ -3,7 +3,7 @@
 use super::values::{choice, rate, setting};
 use super::{Backends, RunOptions, SceneOptions};
 use crate::running::settings::Setting;
-use crate::running::view::{Look, Mirrors, ShadedAt};
+use crate::running::view::{Look, Mirrors, Shade, ShadedAt};
 use clap::Args;
 use interreflect_estimators::Quantity;
 use interreflect_scene::params::Choice;
@@ -45,6 +45,9 @@ pub struct Render {
     #[arg(long = "shade-at", value_name = "WHERE", default_value = "pixels")]
     #[arg(value_parser = choice::<ShadedAt>())]
     pub shaded_at: ShadedAt,
+    /// Surfaces to shade: receivers (every surface where there are none), or all
+    #[arg(long, value_name = "WHAT", default_value = "receivers", value_parser = choice::<Shade>())]
+    pub shade: Shade,
     /// Image to write: the camera's view, or the reflective shadow maps that the estimator uses
     #[arg(long, value_name = "WHAT", default_value = "camera", value_parser = choice::<Show>())]
     pub show: Show,
@@ -91,6 +94,7 @@ impl Render {
         Look {
             at: self.shaded_at,
             mirrors: self.mirrors,
+            shade: self.shade,
         }
     }
 }

@@ -52,9 +52,10 @@ pub(super) fn run(
     )?;
     let scene = &*loaded.cpu().scene;
     let camera = scene.scene().camera;
+    let shaded = (command.points.unwrap_or(POINTS), command.shade);
     let view = context
         .cpu
-        .install(|| View::of_about(scene, &camera, command.points.unwrap_or(POINTS)))?;
+        .install(|| View::of_about(scene, &camera, shaded))?;
     let points = view.points(command.quantity.layout());
     let stop = command.budget.budget().stop();
     let bar = crate::command_line::progress::bar("path tracing", 1000);

@@ -65,7 +65,7 @@ pub(super) fn run(
     let camera = resized(scene.scene(), command);
     let view = context
         .cpu
-        .install(|| View::with(scene, &camera, command.look()))?;
+        .install(|| View::new(scene, &camera, command.look()))?;
     let points = view.points(shown.quantity().layout());
     let materials = view.points(PointLayout::Material);
     let mut rendered = Vec::new();

@@ -57,7 +57,7 @@ pub(super) fn run(command: &Render, registry: Registry) -> Result<(), CommandErr
         let camera = resized(&scene, command);
         let look = command.look();
         let cpu = &loaded.cpu().scene;
-        let view = context.cpu.install(|| View::with(cpu, &camera, look))?;
+        let view = context.cpu.install(|| View::new(cpu, &camera, look))?;
         let points = view.points(shown.quantity().layout());
         let frame = Frame {
             scene: &scene,

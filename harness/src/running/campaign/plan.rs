@@ -8,6 +8,7 @@ use crate::domain::record::{Backend, ParamMap};
 use crate::running::context::{Context, request};
 use crate::running::error::RunError;
 use crate::running::settings::{SCENE, SceneChanges, Setting};
+use crate::running::view::Shade;
 use crate::running::warning::Warning;
 use interreflect_estimators::{Configured, OwnModel, Quantity};
 use interreflect_gpu::GpuError;
@@ -25,8 +26,10 @@ pub(crate) struct Selection {
     pub(crate) quantities: Vec<Quantity>,
     pub(crate) settings: Vec<Setting>,
     pub(crate) backends: &'static [Backend],
-    /// Points on the receivers of each scene.
+    /// Points on what is shaded of each scene.
     pub(crate) points: Option<usize>,
+    /// Which surfaces are shaded.
+    pub(crate) shade: Shade,
     /// Threads of the CPU backend.
     pub(crate) threads: Option<usize>,
     pub(crate) scene_changes: SceneChanges,
@@ -191,7 +194,7 @@ fn setups(scenes: &[String], what: &Selection, axes: &[&Axis]) -> Result<Vec<Set
     let mut names = BTreeSet::new();
     for source in scenes {
         for varied in combinations(axes) {
-            let mut run = RunSettings::new(what.points, what.threads)?;
+            let mut run = RunSettings::new(what.points, what.shade, what.threads)?;
             for setting in &varied {
                 if let (Some(RUN), name) = setting.split() {
                     run.set(name, &setting.value)?;

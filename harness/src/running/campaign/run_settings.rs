@@ -1,6 +1,7 @@
 //! How a scene is run, declared as parameters are: an axis of every figure is one.
 
 use crate::running::error::RunError;
+use crate::running::view::Shade;
 use interreflect_scene::params;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -9,10 +10,12 @@ use smart_default::SmartDefault;
 /// Settings of the run.
 #[derive(Clone, Debug, PartialEq, SmartDefault, Serialize, Deserialize, JsonSchema)]
 pub(crate) struct RunSettings {
-    /// Number of points on the receivers.
+    /// Number of points on the surfaces that are shaded.
     #[default(4096)]
     #[schemars(range(min = 1, max = 1 << 26), extend("scale" = "log"))]
     pub(crate) points: u32,
+    /// Surfaces that are shaded: receivers where there are any, or all that the camera sees.
+    pub(crate) shade: Shade,
     /// Threads of the CPU backend; 0 = all.
     #[default(0)]
     #[schemars(range(max = 1024), extend("scale" = "log"))]
@@ -24,8 +27,15 @@ impl RunSettings {
     ///
     /// # Errors
     /// [`RunError::Param`] if one is out of range.
-    pub(crate) fn new(points: Option<usize>, threads: Option<usize>) -> Result<Self, RunError> {
-        let mut settings = Self::default();
+    pub(crate) fn new(
+        points: Option<usize>,
+        shade: Shade,
+        threads: Option<usize>,
+    ) -> Result<Self, RunError> {
+        let mut settings = Self {
+            shade,
+            ..Self::default()
+        };
         for (name, value) in [("points", points), ("threads", threads)] {
             if let Some(value) = value {
                 settings.set(name, &value.to_string())?;

@@ -12,7 +12,7 @@ use crate::running::frames::{Frame, Shaded};
 use crate::running::on_backend::{Sequence, measure_on, next_frame};
 use crate::running::run_record;
 use crate::running::truth::References;
-use crate::running::view::{Look, View};
+use crate::running::view::{Look, Shade, View};
 use interreflect_cpu::path_tracer::Stop;
 use interreflect_estimators::execution::LoadedScene;
 use interreflect_estimators::{Configured, Quantity, VisibleTriangles};
@@ -126,7 +126,7 @@ impl<'a> ExperimentContext<'a> {
         let camera = scene.scene().camera;
         self.context
             .cpu
-            .install(|| View::of_about(scene, &camera, count))
+            .install(|| View::of_about(scene, &camera, (count, Shade::default())))
     }
 
     /// What a scene's camera sees, `width` pixels wide.
@@ -143,9 +143,7 @@ impl<'a> ExperimentContext<'a> {
             resolution: [width, (width * h).div_ceil(w)],
             ..camera
         };
-        self.context
-            .cpu
-            .install(|| View::with(scene, &camera, look))
+        self.context.cpu.install(|| View::new(scene, &camera, look))
     }
 
     /// A method with parameters.

@@ -1,6 +1,7 @@
 //! What a view may be asked for.
 
 use interreflect_scene::params::Choice;
+use interreflect_scene::{Role, Scene};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -31,6 +32,27 @@ pub enum Mirrors {
 
 impl Choice for Mirrors {}
 
+/// Which surfaces are shaded.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Shade {
+    /// Receivers; every surface in a scene that has none.
+    #[default]
+    Receivers,
+    /// Every surface that the camera sees.
+    All,
+}
+
+impl Choice for Shade {}
+
+impl Shade {
+    /// Whether an object of this role is shaded in a scene.
+    pub(super) fn shows(self, scene: &Scene, role: Role) -> bool {
+        let all = self == Self::All || scene.objects_of(Role::Receiver).next().is_none();
+        all || role == Role::Receiver
+    }
+}
+
 /// How a view is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Look {
@@ -38,6 +60,8 @@ pub struct Look {
     pub at: ShadedAt,
     /// What mirrors show.
     pub mirrors: Mirrors,
+    /// Which surfaces are shaded.
+    pub shade: Shade,
 }
 
 impl Default for Look {
@@ -45,6 +69,7 @@ impl Default for Look {
         Self {
             at: ShadedAt::Pixels,
             mirrors: Mirrors::Included,
+            shade: Shade::default(),
         }
     }
 }

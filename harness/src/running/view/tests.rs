@@ -70,7 +70,7 @@ fn mirrors_show_what_is_asked() {
             mirrors,
             ..Look::default()
         };
-        View::with(&scene, &camera, look).expect("a small view")
+        View::new(&scene, &camera, look).expect("a small view")
     };
     let [direct, diffuse, included] =
         [Mirrors::Direct, Mirrors::Diffuse, Mirrors::Included].map(view);
@@ -109,8 +109,8 @@ fn vertices_interpolate_over_their_triangles() {
         at: ShadedAt::Vertices,
         ..Look::default()
     };
-    let vertices = View::with(&scene, &camera, look).expect("a small view");
-    let pixels = View::new(&scene, &camera).expect("a small view");
+    let vertices = View::new(&scene, &camera, look).expect("a small view");
+    let pixels = View::new(&scene, &camera, Look::default()).expect("a small view");
     // Positions are linear over a triangle: interpolated they are those of the pixels.
     let positions = |view: &View| {
         let mut estimate = Estimate::new(view.points.len());

@@ -1,6 +1,6 @@
 //! What the rays through pixels meet.
 
-use super::{Mirrors, Pixel, Taps};
+use super::{Look, Mirrors, Pixel, Taps};
 use glam::{DVec3, Vec3};
 use interreflect_cpu::direct::captured_radiance;
 use interreflect_cpu::scene::{CpuScene, SurfaceHit};
@@ -15,9 +15,9 @@ pub(super) fn traced(
     scene: &CpuScene,
     camera: &Camera,
     [x0, y0, x1, y1]: [u32; 4],
-    mirrors: Mirrors,
+    look: Look,
 ) -> Vec<Traced> {
-    let only_receivers = scene.scene().objects_of(Role::Receiver).next().is_some();
+    let only_receivers = !look.shade.shows(scene.scene(), Role::Environment);
     let (width, height) = (x1 - x0, y1 - y0);
     (0..width as usize * height as usize)
         .into_par_iter()
@@ -25,7 +25,7 @@ pub(super) fn traced(
             let (x, y) = (x0 + i as u32 % width, y0 + i as u32 / width);
             let direction = camera.ray(x as f32 + 0.5, y as f32 + 0.5);
             let origin = camera.eye.as_dvec3();
-            Traced::new(scene, origin, direction, (only_receivers, mirrors))
+            Traced::new(scene, origin, direction, (only_receivers, look.mirrors))
         })
         .collect()
 }

@@ -1,7 +1,8 @@
 //! The vertices of what is shaded, as points.
 
+use super::Shade;
 use glam::Vec3;
-use interreflect_scene::{Mesh, Point, Role, Scene, SurfaceMaterial};
+use interreflect_scene::{Mesh, Point, Scene, SurfaceMaterial};
 
 /// Vertices and the triangles between them.
 pub(super) struct Vertices {
@@ -15,9 +16,9 @@ pub(super) struct Vertices {
 }
 
 impl Vertices {
-    /// The vertices of receivers, or of all objects, seen from `eye`. A vertex has the material of
+    /// The vertices of what is shaded, seen from `eye`. A vertex has the material of
     /// the first triangle that it is a corner of.
-    pub(super) fn new(scene: &Scene, eye: Vec3, only_receivers: bool) -> Self {
+    pub(super) fn new(scene: &Scene, eye: Vec3, shade: Shade) -> Self {
         let mut all = Self {
             points: Vec::new(),
             triangles: Vec::new(),
@@ -25,7 +26,7 @@ impl Vertices {
         };
         for object in &scene.objects {
             all.first_triangle.push(all.triangles.len() as u32);
-            if !only_receivers || object.role == Role::Receiver {
+            if shade.shows(scene, object.role) {
                 all.add(scene, &object.mesh, eye);
             }
         }

@@ -252,3 +252,27 @@ fn shared_scenes_load() {
         }
     }
 }
+
+#[test]
+fn lights_take_their_pictures_where_they_are_told() {
+    let light = |keys: &str| {
+        let text = format!("[[light]]\nposition = [0, 2, 0]\n{keys}");
+        let folder = Folder::new(&[("s.toml", &*text)]);
+        open_path(&folder.path("s.toml")).lights[0]
+    };
+    let Light::Point { picture, .. } = light("kind = \"point\"\nintensity = [1, 1, 1]\n") else {
+        panic!("not a point light");
+    };
+    assert_eq!(picture, None);
+    let Light::Area { picture, .. } = light(
+        "kind = \"area\"\nnormal = [0, -1, 0]\narea = 1\nflux = [1, 1, 1]\n\
+         picture_direction = [2, 0, 0]\npicture_up = [1, 0, 3]\npicture_angle_deg = 60\n",
+    ) else {
+        panic!("not an area light");
+    };
+    let picture = picture.expect("a picture");
+    assert_eq!(
+        (picture.direction, picture.up, picture.angle_deg),
+        (Vec3::X, Vec3::Z, 60.0)
+    );
+}

@@ -3,9 +3,10 @@
 use super::motion::LightMotionTable;
 use super::source::{Key, Source};
 use super::{Lamp, Vector};
+use crate::light::upright;
 use crate::motion::LightMotion;
 use crate::validate::{LARGEST_POWER, is_power};
-use crate::{Environment, Light, SceneError, SpotShape, load};
+use crate::{Environment, Light, LightPicture, SceneError, SpotShape, load};
 use glam::Vec3;
 use serde::Deserialize;
 use std::f32::consts::{PI, TAU};
@@ -43,6 +44,9 @@ pub(super) struct LightTable {
     irradiance: Option<Vector>,
     normal: Option<Vector>,
     area: Option<Spanned<f32>>,
+    picture_direction: Option<Vector>,
+    picture_up: Option<Vector>,
+    picture_angle_deg: Option<Spanned<f32>>,
     file: Option<Spanned<PathBuf>>,
     constant: Option<Vector>,
     scale: Option<Spanned<f32>>,
@@ -57,7 +61,15 @@ impl Kind {
         match self {
             Self::Point => (
                 "a point light",
-                &["position", "intensity", "flux", "motion"],
+                &[
+                    "position",
+                    "intensity",
+                    "flux",
+                    "picture_direction",
+                    "picture_up",
+                    "picture_angle_deg",
+                    "motion",
+                ],
             ),
             Self::Spot => (
                 "a spot light",
@@ -78,7 +90,16 @@ impl Kind {
             ),
             Self::Area => (
                 "an area light",
-                &["position", "normal", "area", "flux", "motion"],
+                &[
+                    "position",
+                    "normal",
+                    "area",
+                    "flux",
+                    "picture_direction",
+                    "picture_up",
+                    "picture_angle_deg",
+                    "motion",
+                ],
             ),
             Self::Environment => (
                 "an environment light",
@@ -110,6 +131,7 @@ impl LightTable {
             Kind::Point => Light::Point {
                 position: position()?,
                 intensity: self.intensity(source, whole, 2.0 * TAU)?,
+                picture: self.picture(source)?,
             },
             Kind::Spot => {
                 let angle = source.required(whole, "angle_deg", &self.angle_deg, called)?;
@@ -119,7 +141,7 @@ impl LightTable {
                 Light::Spot {
                     position: position()?,
                     direction,
-                    up: self.up(source, direction)?,
+                    up: up(source, ("up", &self.up), ("direction", direction))?,
                     shape,
                     angle_deg,
                     intensity: self.intensity(source, whole, frustum_sr(shape, angle_deg))?,
@@ -136,6 +158,7 @@ impl LightTable {
                     normal: source.direction("normal", vector("normal", &self.normal)?)?,
                     area_m2: source.positive("area", area)?,
                     flux: source.power("flux", vector("flux", &self.flux)?)?,
+                    picture: self.picture(source)?,
                 }
             }
             Kind::Environment => {
@@ -151,7 +174,7 @@ impl LightTable {
         Ok(Lamp::Light(light, motion))
     }
 
-    fn given(&self) -> [Option<Key>; 16] {
+    fn given(&self) -> [Option<Key>; 19] {
         [
             Key::of("position", &self.position),
             Key::of("direction", &self.direction),
@@ -163,6 +186,9 @@ impl LightTable {
             Key::of("irradiance", &self.irradiance),
             Key::of("normal", &self.normal),
             Key::of("area", &self.area),
+            Key::of("picture_direction", &self.picture_direction),
+            Key::of("picture_up", &self.picture_up),
+            Key::of("picture_angle_deg", &self.picture_angle_deg),
             Key::of("file", &self.file),
             Key::of("constant", &self.constant),
             Key::of("scale", &self.scale),
@@ -214,23 +240,27 @@ impl LightTable {
         }
     }
 
-    /// The upward direction, made orthogonal to the axis; by default from +y, or from +z where the
-    /// axis is nearly vertical.
-    fn up(&self, source: &Source<'_>, axis: Vec3) -> Result<Vec3, SceneError> {
-        let given = match &self.up {
-            Some(up) => source.direction("up", up)?,
-            None if axis.y.abs() < 0.99 => Vec3::Y,
-            None => Vec3::Z,
+    /// Where the light takes its picture, if the table says so.
+    fn picture(&self, source: &Source<'_>) -> Result<Option<LightPicture>, SceneError> {
+        let Some(direction) = &self.picture_direction else {
+            let alone = [
+                Key::of("picture_up", &self.picture_up),
+                Key::of("picture_angle_deg", &self.picture_angle_deg),
+            ];
+            source.only(alone, &[], "a light without `picture_direction`")?;
+            return Ok(None);
         };
-        let across = given - axis * given.dot(axis);
-        // 1e-4: below it the direction is rounding.
-        match (across.length() > 1e-4, &self.up) {
-            (false, Some(up)) => {
-                let what = "`up` is parallel to `direction`";
-                Err(source.at(up).error(what, "turn it away"))
-            }
-            _ => Ok(across.normalize()),
-        }
+        let direction = source.direction("picture_direction", direction)?;
+        let angle = self.picture_angle_deg.as_ref();
+        Ok(Some(LightPicture {
+            direction,
+            up: up(
+                source,
+                ("picture_up", &self.picture_up),
+                ("picture_direction", direction),
+            )?,
+            angle_deg: angle.map_or(Ok(90.0), |v| source.angle("picture_angle_deg", v))?,
+        }))
     }
 
     fn environment(
@@ -273,6 +303,25 @@ impl LightTable {
             ..base
         })
     }
+}
+
+/// The upward direction of a view, made orthogonal to its axis; [`upright`] where none is given.
+fn up(
+    source: &Source<'_>,
+    (key, given): (&str, &Option<Vector>),
+    (axis_key, axis): (&str, Vec3),
+) -> Result<Vec3, SceneError> {
+    let Some(given) = given else {
+        return Ok(upright(axis));
+    };
+    let up = source.direction(key, given)?;
+    let across = up - axis * up.dot(axis);
+    // 1e-4: below it the direction is rounding.
+    if across.length() > 1e-4 {
+        return Ok(across.normalize());
+    }
+    let what = format!("`{key}` is parallel to `{axis_key}`");
+    Err(source.at(given).error(what, "turn it away"))
 }
 
 /// Solid angle of a frustum in sr: 2π(1 − cos h) of a cone, 4·asin(sin² h) of a square pyramid, h

@@ -60,6 +60,7 @@ fn in_sphere(model: OwnModel, quantity: Quantity, lamp: DVec3, out: f64) -> Opti
             lights: vec![Light::Point {
                 position: lamp.as_vec3(),
                 intensity: Vec3::ONE,
+                picture: None,
             }],
             ..scene(
                 vec![(mesh, Material::diffuse(Vec3::splat(ALBEDO as f32)))],

@@ -4,7 +4,9 @@ use super::{Broken, Outcome, Rule, Where, same_bits};
 use crate::verify::{MethodUnderTest, OnBackend, VerifyError};
 use interreflect_estimators::execution::{BackendScene, Executor};
 use interreflect_estimators::{Backend, Changed, Configured, EstimatorError, Quantity};
-use interreflect_scene::{CubeChannels, CubeSpec, Needs, Points, RsmChannels, RsmSpec, Scene};
+use interreflect_scene::{
+    CubeChannels, CubeSpec, Needs, Points, RsmChannels, RsmSpec, RsmViews, Scene,
+};
 use std::rc::Rc;
 
 pub(super) fn all() -> [Rule; 3] {
@@ -122,7 +124,7 @@ fn reads_nothing_else<B: Backend>(mut executor: Executor<'_, B>) -> Result<Broke
             format!("asks for the place of surfaces, where there are none: {spec:?}")
         });
     }
-    let lit = facts.surfaces && facts.lights > 0;
+    let lit = facts.occluders && facts.lights > 0;
     broken.case(needs.rsms.is_empty() || lit, || {
         "asks for reflective shadow maps where no light or no surface is".into()
     });
@@ -167,6 +169,7 @@ fn more_than(needs: &Needs) -> Needs {
         });
         more.rsms.insert(RsmSpec {
             size: 3,
+            views: RsmViews::Surround,
             channels: RsmChannels {
                 normal,
                 ..RsmChannels::default()

@@ -96,6 +96,7 @@ fn integrating() -> Outcome {
     scene.lights.push(Light::Point {
         position: Vec3::new(0.3, 0.2, 0.0),
         intensity: Vec3::ONE,
+        picture: None,
     });
     let (scene, flux) = (cpu(&scene), 4.0 * PI);
     for bounces in [1, 0] {

@@ -13,7 +13,8 @@ use interreflect_gpu::{GpuContext, GpuScene, capture_rsms};
 use interreflect_scene::rsm::MAX_MIRRORS;
 use interreflect_scene::shapes;
 use interreflect_scene::{
-    Light, Material, Mesh, Object, Point, Role, RsmChannels, RsmImage, RsmSpec, Scene, SpotShape,
+    Light, Material, Mesh, Object, Point, Role, RsmChannels, RsmImage, RsmSpec, RsmViews, Scene,
+    SpotShape,
 };
 use libtest_mimic::{Failed, Trial};
 use std::f64::consts::PI;
@@ -140,6 +141,7 @@ fn mirrors_end() -> Outcome {
     let test_scene = before_the_wall(vec![quad(1.0, 2.0, 1), quad(-1.0, 9.0, 1)], light);
     let spec = RsmSpec {
         size: 3,
+        views: RsmViews::Picture,
         channels: RsmChannels::default(),
     };
     let views = by_rays(&test_scene.cpu, spec);
@@ -180,28 +182,33 @@ fn views_agree(context: &Arc<GpuContext>) -> Outcome {
             object.mesh.materials.fill(mirror);
         }
     });
-    let ball = with_mirror(&|scene, mirror| {
-        let centre = Vec3::new(0.2, 0.4, 0.25);
-        let mut mesh = shapes::sphere(0.1, 12);
-        mesh.positions.iter_mut().for_each(|p| *p += centre);
-        mesh.materials.fill(mirror);
-        scene.objects.push(Object {
-            motion: None,
-            name: "ball".into(),
-            role: Role::Environment,
-            mesh,
-        });
-    });
+    let ball = |role| {
+        with_mirror(&|scene, mirror| {
+            let centre = Vec3::new(0.2, 0.4, 0.25);
+            let mut mesh = shapes::sphere(0.1, 12);
+            mesh.positions.iter_mut().for_each(|p| *p += centre);
+            mesh.materials.fill(mirror);
+            scene.objects.push(Object {
+                motion: None,
+                name: "ball".into(),
+                role,
+                mesh,
+            });
+        })
+    };
+    let (ball, receiver) = (ball(Role::Environment), ball(Role::Receiver));
     let all = TestScene::new("lit-box", super::LIT[4].cpu.scene(), Vec::new());
     let scenes = [
         ("cornell box", &plain),
         ("mirrors", &blocks),
         ("mirror ball", &ball),
+        ("a receiver that is one", &receiver),
         ("all lights", all.cpu.scene()),
     ];
     for (name, scene) in scenes {
         let spec = RsmSpec {
             size: 64,
+            views: RsmViews::Surround,
             channels: ALL_CHANNELS,
         };
         let ours = by_rays(&CpuScene::new(scene)?, spec);

@@ -63,6 +63,7 @@ fn converges(surface: &str, quantity: Quantity) -> Outcome {
     for n in ["4", "16", "64"] {
         let settings = [
             ("fidelity", "corrected"),
+            ("pictures", "surround"),
             ("surface", surface),
             ("samples_per_side", n),
             ("map_resolution", n),

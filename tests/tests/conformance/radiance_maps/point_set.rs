@@ -7,7 +7,9 @@ use glam::DVec3;
 use interreflect_estimators::Tolerance;
 use interreflect_estimators::execution::BackendScene;
 use interreflect_scene::conventions::texel_centre;
-use interreflect_scene::{Light, Needs, Point, RsmChannels, RsmImage, RsmSpec, SceneRequest, open};
+use interreflect_scene::{
+    Light, Needs, Point, RsmChannels, RsmImage, RsmSpec, RsmViews, SceneRequest, open,
+};
 use libtest_mimic::{Failed, Trial};
 use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -65,7 +67,11 @@ fn normals(n: u32) -> Needs {
         normal: true,
         ..RsmChannels::default()
     };
-    let spec = RsmSpec { size: n, channels };
+    let spec = RsmSpec {
+        size: n,
+        views: RsmViews::Picture,
+        channels,
+    };
     Needs {
         rsms: [spec].into(),
         ..Needs::default()

@@ -1,4 +1,5 @@
 use super::*;
+use crate::running::view::Shade;
 use interreflect_cpu::scene::CpuScene;
 use interreflect_scene::{PointLayout, SceneRequest, open};
 
@@ -12,7 +13,8 @@ fn flip_is_a_mean_over_what_shows_a_surface() {
     });
     let scene = scene.expect("a built-in scene");
     let cpu = CpuScene::new(&scene).expect("a scene that the CPU takes");
-    let view = View::of_about(&cpu, &scene.camera, 10_000).expect("a small view");
+    let view =
+        View::of_about(&cpu, &scene.camera, (10_000, Shade::default())).expect("a small view");
     let surfaces = view.surfaces();
     let share = surfaces.iter().filter(|s| **s).count() as f64 / surfaces.len() as f64;
     assert!(share < 0.8, "there is a background: {share}");

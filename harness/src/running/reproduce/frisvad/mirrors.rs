@@ -92,6 +92,7 @@ fn look(
     let look = Look {
         at: ShadedAt::Pixels,
         mirrors,
+        ..Look::default()
     };
     context.whole_view(loaded, context.pick(180, 640), look)
 }

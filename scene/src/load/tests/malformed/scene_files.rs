@@ -154,7 +154,7 @@ fn malformed_lights_and_cameras() {
         ),
         (
             "[[light]]\nkind = \"point\"\nposition = [0, 0, 0]\nirradiance = [1, 1, 1]\n",
-            "DIR/s.toml:6: `irradiance` means nothing to a point light; remove it; allowed: position, intensity, flux, motion",
+            "DIR/s.toml:6: `irradiance` means nothing to a point light; remove it; allowed: position, intensity, flux, picture_direction, picture_up, picture_angle_deg, motion",
         ),
         (
             "[[light]]\nkind = \"spot\"\nposition = [0, 0, 0]\ndirection = [0, 0, 0]\nangle_deg = 90\nintensity = [1, 1, 1]\n",
@@ -167,6 +167,14 @@ fn malformed_lights_and_cameras() {
         (
             "[[light]]\nkind = \"spot\"\nposition = [0, 0, 0]\ndirection = [0, 1, 0]\nup = [0, 2, 0]\nangle_deg = 90\nintensity = [1, 1, 1]\n",
             "DIR/s.toml:7: `up` is parallel to `direction`; turn it away",
+        ),
+        (
+            "[[light]]\nkind = \"point\"\nposition = [0, 0, 0]\nintensity = [1, 1, 1]\npicture_direction = [0, 1, 0]\npicture_up = [0, 2, 0]\n",
+            "DIR/s.toml:8: `picture_up` is parallel to `picture_direction`; turn it away",
+        ),
+        (
+            "[[light]]\nkind = \"point\"\nposition = [0, 0, 0]\nintensity = [1, 1, 1]\npicture_angle_deg = 60\n",
+            "DIR/s.toml:7: `picture_angle_deg` means nothing to a light without `picture_direction`; remove it",
         ),
         (
             "[[light]]\nkind = \"environment\"\n",
