@@ -7,10 +7,10 @@ use std::path::PathBuf;
 /// `interreflect reproduce`.
 #[derive(Clone, Debug, PartialEq, Args)]
 #[command(
-    after_help = "Each experiment states the paper's claim and the rule by which it holds, holds \
-in part or does not hold. Models are read from assets/ (or $INTERREFLECT_ASSETS); `make assets` \
+    after_help = "Each experiment states the paper's claims and, for each, the rule by which it \
+holds, holds in part or does not hold; one without claims is shown. Models are read from assets/ (or $INTERREFLECT_ASSETS); `make assets` \
 downloads them.\n\nExamples:\n  interreflect reproduce --list\n  interreflect \
-reproduce all --quick --out results\n  interreflect reproduce szirmay-kalos.3 frisvad.table1\n  \
+reproduce all --quick --out results\n  interreflect reproduce szirmay-kalos.3 kautz.4\n  \
 interreflect reproduce sattler --backend cpu --json"
 )]
 pub struct Reproduce {
@@ -22,7 +22,7 @@ pub struct Reproduce {
     #[arg(long)]
     pub list: bool,
 
-    /// Use fewer points, samples and cases: all experiments take a few minutes
+    /// Use fewer points, samples and cases: all experiments take some ten minutes
     #[arg(long)]
     pub quick: bool,
 

@@ -9,11 +9,14 @@ use crate::domain::files::{ensure_writable, write_json};
 use crate::domain::record::Backend;
 use crate::presenting::reproduce::{Entry, Page, Reproduced};
 use crate::running::context::Context;
-use crate::running::reproduce::{Assets, Experiment, ExperimentContext, chosen, experiments};
+use crate::running::reproduce::{
+    Assets, Claim, Experiment, ExperimentContext, Item, chosen, experiments,
+};
 use crate::running::warning::Warning;
 use interreflect_estimators::Registry;
 use interreflect_gpu::GpuError;
 use serde::Serialize;
+use serde_json::Value;
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -55,21 +58,39 @@ pub(super) fn run(
 struct Listed {
     id: &'static str,
     paper: &'static str,
-    item: &'static str,
+    item: Item,
     title: &'static str,
-    claim: &'static str,
+    setup: Value,
+    claims: Vec<ListedClaim>,
+}
+
+#[derive(Serialize)]
+struct ListedClaim {
+    id: &'static str,
+    says: &'static str,
     rule: &'static str,
 }
 
+impl From<Experiment> for Listed {
+    fn from(experiment: Experiment) -> Self {
+        let claim = |claim: &Claim| ListedClaim {
+            id: claim.id,
+            says: claim.says,
+            rule: claim.rule,
+        };
+        Self {
+            id: experiment.id,
+            paper: experiment.paper.title(),
+            item: experiment.item,
+            title: experiment.title,
+            setup: experiment.described(),
+            claims: experiment.claims.iter().map(claim).collect(),
+        }
+    }
+}
+
 fn list(json: bool) -> Result<(), CommandError> {
-    let listed = experiments().into_iter().map(|e| Listed {
-        id: e.id,
-        paper: e.paper.title(),
-        item: e.item,
-        title: e.title,
-        claim: e.claim,
-        rule: e.rule,
-    });
+    let listed = experiments().into_iter().map(Listed::from);
     if json {
         return print_json(&listed.collect::<Vec<_>>());
     }
@@ -79,7 +100,10 @@ fn list(json: bool) -> Result<(), CommandError> {
             paper = e.paper;
             print_line(paper)?;
         }
-        print_line(&format!("  {:<24} {:<9} {}", e.id, e.item, e.title))?;
+        print_line(&format!("  {:<24} {:<16} {}", e.id, e.item, e.title))?;
+        for claim in e.claims {
+            print_line(&format!("    {:<22} {}", claim.id, claim.says))?;
+        }
     }
     Ok(())
 }
@@ -118,13 +142,13 @@ impl Session<'_> {
         for experiment in chosen {
             bar.set_message(experiment.id);
             let start = Instant::now();
-            let result = (experiment.run)(&self.experiments);
+            let result = experiment.run(&self.experiments);
             let seconds = start.elapsed().as_secs_f64();
             let about = (self.command_for(experiment.id), seconds);
             let entry = Entry::new(experiment, result, about, self.out.as_deref())?;
             bar.inc(1);
             if !self.command.json {
-                bar.suspend(|| print_line(&entry.line()))?;
+                bar.suspend(|| print_line(&entry.lines().join("\n")))?;
             }
             entries.push(entry);
             self.save(&entries)?;

@@ -10,6 +10,7 @@ use crate::presenting::output::colour_stops;
 use crate::running::reproduce::{Measure, Paper, Verdict};
 use minijinja::{syntax::SyntaxConfig, value::Serde};
 use serde::Serialize;
+use serde_json::Value;
 use std::path::Path;
 
 /// What the template sees.
@@ -36,8 +37,10 @@ struct Section<'a> {
 #[derive(Serialize)]
 struct Shape<'a> {
     record: &'a Record,
-    /// `good`, `part`, `bad` or `none`.
-    badge: &'static str,
+    /// For each claim, or once where nothing is claimed: `good`, `part`, `bad` or `none`.
+    badges: Vec<&'static str>,
+    /// Names and values of the setup's fields.
+    setup: Vec<(String, String)>,
     table: Table,
     pictures: &'a [Shown],
     software: bool,
@@ -107,15 +110,36 @@ fn shape(entry: &Entry) -> Shape<'_> {
     let record = &entry.record;
     Shape {
         record,
-        badge: match entry.verdict {
-            Verdict::Holds => "good",
-            Verdict::HoldsInPart => "part",
-            Verdict::DoesNotHold => "bad",
-            Verdict::NotRun(_) => "none",
-        },
+        badges: entry.verdicts.iter().map(badge).collect(),
+        setup: setup(&record.setup),
         table: table(&record.measured),
         pictures: &entry.pictures,
         software: record.measured.iter().any(|m| m.software),
+    }
+}
+
+/// Names and values of an object's fields, lists with commas.
+fn setup(described: &Value) -> Vec<(String, String)> {
+    let fields = described.as_object().into_iter().flatten();
+    fields
+        .map(|(name, value)| (name.replace('_', " "), text(value)))
+        .collect()
+}
+
+fn text(value: &Value) -> String {
+    match value {
+        Value::String(text) => text.clone(),
+        Value::Array(values) => values.iter().map(text).collect::<Vec<_>>().join(", "),
+        other => other.to_string(),
+    }
+}
+
+fn badge(verdict: &Verdict) -> &'static str {
+    match verdict {
+        Verdict::Holds => "good",
+        Verdict::HoldsInPart => "part",
+        Verdict::DoesNotHold => "bad",
+        Verdict::Inconclusive | Verdict::NotRun(_) | Verdict::Shown => "none",
     }
 }
 
@@ -170,6 +194,19 @@ fn number(measure: &Measure) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_setup_is_told_by_names_and_values() {
+        let described = serde_json::json!({"scene": "room bunny", "f_lambda": [0.03, 0.9]});
+        let told = setup(&described)
+            .into_iter()
+            .map(|(name, value)| format!("{name}: {value}"));
+        assert_eq!(
+            told.collect::<Vec<_>>(),
+            ["scene: room bunny", "f lambda: 0.03, 0.9"]
+        );
+        assert!(setup(&Value::Null).is_empty());
+    }
 
     #[test]
     fn numbers_of_a_case_and_backend_share_a_line() {

@@ -4,6 +4,7 @@ use super::assets::{Assets, Model};
 use super::experiment_scene::{ExperimentScene, setting};
 use super::finding::Finding;
 use super::measured_run::MeasuredRun;
+use super::scene_setup::SceneSetup;
 use crate::domain::record::{Backend, Phases, Run};
 use crate::running::clock::Sampling;
 use crate::running::context::{Context, GpuUse};
@@ -16,6 +17,7 @@ use crate::running::view::{Look, Shade, View};
 use interreflect_cpu::path_tracer::Stop;
 use interreflect_estimators::execution::LoadedScene;
 use interreflect_estimators::{Configured, Quantity, VisibleTriangles};
+use interreflect_scene::library::RECEIVERS;
 use interreflect_scene::motion::Moves;
 use interreflect_scene::{Camera, Points, Role, Scene};
 
@@ -72,6 +74,29 @@ impl<'a> ExperimentContext<'a> {
     /// The models and maps.
     pub(super) fn assets(&self) -> &Assets {
         &self.assets
+    }
+
+    /// A setup's scene: models and environment as they are found, and notes of what takes the place of those that
+    /// are not.
+    pub(super) fn place(&self, setup: &SceneSetup) -> ExperimentScene {
+        let mut place = ExperimentScene::of(setup.source);
+        for &model in setup.models {
+            place = match RECEIVERS.contains(&model) {
+                true => place.with_shape(model),
+                false => place.with(&self.mesh(model)),
+            };
+        }
+        if let Some(name) = setup.environment {
+            let environment = self.assets.environment(name);
+            if environment.is_none() {
+                place.notes.push(format!(
+                    "{name} not found: the scene's own environment in its place; `make assets` brings it"
+                ));
+            }
+            place = place.under(environment);
+        }
+        let settings = setup.settings.iter();
+        settings.fold(place, |place, (name, value)| place.set(name, value))
     }
 
     /// Opens a scene; what takes something's place in it is noted, and what is wrong with a mesh.

@@ -35,6 +35,12 @@ impl ExperimentScene {
         self
     }
 
+    /// With one more receiver, of the library.
+    pub(super) fn with_shape(mut self, name: &str) -> Self {
+        self.changes.receivers.push(name.into());
+        self
+    }
+
     /// Under an environment; the scene's own if there is none.
     pub(super) fn under(mut self, environment: Option<PathBuf>) -> Self {
         self.changes.environment = environment;

@@ -29,8 +29,10 @@ pub struct Measure {
 pub struct Finding {
     /// All numbers.
     pub measured: Vec<Measure>,
-    /// What the claim comes down to.
-    pub trials: Vec<Trial>,
+    /// What claims come down to, each trial with the claim's id.
+    trials: Vec<(&'static str, Trial)>,
+    /// Claims that were not judged, and why.
+    not_judged: Vec<(&'static str, String)>,
     /// Pictures, rows of those that belong together.
     pub pictures: Vec<Row>,
     /// What ran.
@@ -71,6 +73,40 @@ impl Finding {
         if let Some(last) = self.measured.last_mut() {
             last.software = software;
         }
+    }
+
+    /// Adds trials of a claim.
+    pub fn judge(&mut self, claim: &'static str, trials: impl IntoIterator<Item = Trial>) {
+        self.trials
+            .extend(trials.into_iter().map(|trial| (claim, trial)));
+    }
+
+    /// Says why a claim has no trials.
+    pub fn leave_out(&mut self, claim: &'static str, why: impl Into<String>) {
+        self.not_judged.push((claim, why.into()));
+    }
+
+    /// The trials of a claim.
+    pub fn trials_of<'a>(&'a self, claim: &'a str) -> impl Iterator<Item = &'a Trial> {
+        let of_claim = self.trials.iter().filter(move |(id, _)| *id == claim);
+        of_claim.map(|(_, trial)| trial)
+    }
+
+    /// Why a claim was not judged; `None` where nothing was said.
+    pub fn not_judged(&self, claim: &str) -> Option<&str> {
+        let mut of_claim = self.not_judged.iter().filter(|(id, _)| *id == claim);
+        of_claim.next().map(|(_, why)| why.as_str())
+    }
+
+    /// Whether a claim has trials, or a reason why not.
+    pub fn tries(&self, claim: &str) -> bool {
+        self.claims().any(|id| id == claim)
+    }
+
+    /// Ids of the claims that something was found or said about.
+    pub fn claims(&self) -> impl Iterator<Item = &'static str> {
+        let judged = self.trials.iter().map(|(id, _)| *id);
+        judged.chain(self.not_judged.iter().map(|(id, _)| *id))
     }
 
     /// Adds a note, once.

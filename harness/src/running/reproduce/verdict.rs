@@ -1,8 +1,8 @@
 //! From measured numbers to a verdict, without a word of any experiment.
 //!
 //! A trial says that one amount is smaller than another. Amounts that differ by less than what they may
-//! be off decide nothing. A claim holds if all its trials do, does not if none does, and holds in part
-//! otherwise, also where some trials are undecided beside others that hold.
+//! be off decide nothing. A claim holds if all its trials do, does not if none does but some fail, is inconclusive
+//! if all are undecided, and holds in part otherwise.
 
 use crate::domain::format;
 use crate::domain::record::Backend;
@@ -117,8 +117,12 @@ pub enum Verdict {
     HoldsInPart,
     /// No trial holds.
     DoesNotHold,
-    /// Nothing was decided, or nothing ran: why.
+    /// Each trial's difference is within what its numbers may be off.
+    Inconclusive,
+    /// Nothing was tried: why.
     NotRun(String),
+    /// Nothing is claimed of the pictures and numbers that are there.
+    Shown,
 }
 
 impl Verdict {
@@ -128,7 +132,9 @@ impl Verdict {
             Self::Holds => "holds",
             Self::HoldsInPart => "holds in part",
             Self::DoesNotHold => "does not hold",
+            Self::Inconclusive => "inconclusive",
             Self::NotRun(_) => "not run",
+            Self::Shown => "shown",
         }
     }
 
@@ -141,15 +147,18 @@ impl Verdict {
     }
 }
 
+/// What is said of a claim that an experiment neither tries nor leaves out with a reason.
+const UNTRIED: &str = "the experiment made no trial of it";
+
 /// The verdict on a claim, and one sentence why.
-pub fn conclude(trials: &[Trial]) -> (Verdict, String) {
+pub fn conclude(trials: &[&Trial]) -> (Verdict, String) {
+    if trials.is_empty() {
+        return (Verdict::NotRun(UNTRIED.into()), UNTRIED.into());
+    }
     let of = |outcome| trials.iter().filter(move |t| t.outcome == outcome);
     let (held, failed) = (of(Outcome::Holds).count(), of(Outcome::Fails).count());
     let verdict = match (held, failed) {
-        (0, 0) => {
-            let reason = "inconclusive: no difference is larger than its uncertainty";
-            return (Verdict::NotRun(reason.into()), sentence(trials));
-        }
+        (0, 0) => Verdict::Inconclusive,
         (0, _) => Verdict::DoesNotHold,
         (held, 0) if held == trials.len() => Verdict::Holds,
         _ => Verdict::HoldsInPart,
@@ -157,7 +166,7 @@ pub fn conclude(trials: &[Trial]) -> (Verdict, String) {
     (verdict, sentence(trials))
 }
 
-fn sentence(trials: &[Trial]) -> String {
+fn sentence(trials: &[&Trial]) -> String {
     let of = |outcome| trials.iter().filter(move |t| t.outcome == outcome);
     let held = of(Outcome::Holds).count();
     let undecided = of(Outcome::Undecided).count();
@@ -183,14 +192,14 @@ fn sentence(trials: &[Trial]) -> String {
 }
 
 /// How many trials hold on each backend, where the same trial comes out differently on them.
-fn backends_apart(trials: &[Trial]) -> Option<String> {
+fn backends_apart(trials: &[&Trial]) -> Option<String> {
     let differs = |t: &Trial| {
         let twin = trials
             .iter()
             .find(|o| o.what == t.what && o.backend != t.backend);
         twin.is_some_and(|twin| twin.outcome != t.outcome)
     };
-    trials.iter().any(differs).then(|| {
+    trials.iter().any(|trial| differs(trial)).then(|| {
         let count = |backend| {
             let of = || trials.iter().filter(move |t| t.backend == backend);
             let held = of().filter(|t| t.outcome == Outcome::Holds).count();
@@ -248,11 +257,11 @@ mod tests {
             (vec![yes.clone(), open.clone()], Verdict::HoldsInPart),
             (vec![no.clone(), open.clone()], Verdict::DoesNotHold),
         ] {
-            assert_eq!(conclude(&trials).0, verdict, "{trials:?}");
+            let all: Vec<&Trial> = trials.iter().collect();
+            assert_eq!(conclude(&all).0, verdict, "{trials:?}");
         }
-        for nothing in [vec![], vec![open]] {
-            assert!(matches!(conclude(&nothing).0, Verdict::NotRun(_)));
-        }
+        assert_eq!(conclude(&[&open]).0, Verdict::Inconclusive);
+        assert!(matches!(conclude(&[]).0, Verdict::NotRun(_)));
     }
 
     #[test]
@@ -264,12 +273,12 @@ mod tests {
             Trial::less_by("other", Gpu, (9.0, 1.0), 0.0),
         ];
         assert_eq!(
-            conclude(&trials).1,
+            conclude(&trials.each_ref()).1,
             "1 of 4 trials hold (1 of 2 on cpu, 0 of 2 on gpu); not: other on cpu, 9.00 > 1.00"
         );
         let alike = [trial(Cpu, 1.0, 2.0, 0.1), trial(Gpu, 1.0, 1.5, 0.1)];
         assert_eq!(
-            conclude(&alike).1,
+            conclude(&alike.each_ref()).1,
             "2 of 2 trials hold; closest: this below that on gpu, 1.00 < 1.50"
         );
     }

@@ -33,9 +33,10 @@ pub(super) fn cornell_box(context: &ExperimentContext<'_>) -> Result<Finding, Ru
         let points = view.points(Quantity::Irradiance.layout());
         let references = context.precise(&loaded, Quantity::Irradiance, &points);
         let case = format!("{lamp} light");
-        for light in compare(context, &loaded, (&case, &view, references), &mut finding)? {
-            finding.trials.push(enough(&case, &light));
-            finding.trials.push(bleeds(&case, &light));
+        let what = ("C1", &*case, &view, references);
+        for light in compare(context, &loaded, what, &mut finding)? {
+            finding.judge("C2", [enough(&case, &light)]);
+            finding.judge("C3", [bleeds(&case, &light)]);
         }
     }
     Ok(finding)
@@ -47,8 +48,9 @@ pub(super) fn cave(context: &ExperimentContext<'_>) -> Result<Finding, RunError>
     let view = context.view(&loaded)?;
     let points = view.points(Quantity::Irradiance.layout());
     let references = context.references(&loaded, Quantity::Irradiance, &points);
-    for light in compare(context, &loaded, ("cave", &view, references), &mut finding)? {
-        finding.trials.push(enough("cave", &light));
+    let what = ("C1", "cave", &view, references);
+    for light in compare(context, &loaded, what, &mut finding)? {
+        finding.judge("C2", [enough("cave", &light)]);
     }
     Ok(finding)
 }
@@ -92,11 +94,12 @@ pub(super) struct Published {
     alike: Amount,
 }
 
-/// Compares maps of 3×3 samples in a scene that is set up with the truth and a uniform ambient light.
+/// Compares maps of 3×3 samples in a scene that is set up with the truth and a uniform ambient light; its trials are
+/// of a claim.
 pub(super) fn compare(
     context: &ExperimentContext<'_>,
     loaded: &LoadedScene,
-    (case, view, mut references): (&str, &View, References<'_>),
+    (claim, case, view, mut references): (&'static str, &str, &View, References<'_>),
     finding: &mut Finding,
 ) -> Result<Vec<Published>, RunError> {
     let mut published = Vec::new();
@@ -138,7 +141,7 @@ pub(super) fn compare(
             }
             if fidelity == "published" {
                 let trials = nearer(&judge, (case, backend), estimate, &ambient);
-                finding.trials.extend(trials);
+                finding.judge(claim, trials);
                 published.push(Published {
                     backend,
                     energy,

@@ -72,9 +72,9 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
             );
             if fidelity == "published" {
                 let estimates = [&with.estimate, &dark.estimate];
-                finding
-                    .trials
-                    .extend(judged(&judge, backend, estimates, share));
+                let [nearer, least, most] = judged(&judge, backend, estimates, share);
+                finding.judge("C1", [nearer]);
+                finding.judge("C2", [least, most]);
             }
             if backend == context.backends()[0] {
                 row.add(format!("{fidelity}, 5×5"), shown(&with.estimate));

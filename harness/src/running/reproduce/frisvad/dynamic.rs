@@ -37,7 +37,7 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
     let view = context.view(&loaded)?;
     let points = view.points(Quantity::Irradiance.layout());
     let references = context.references(&loaded, Quantity::Irradiance, &points);
-    let what = ("middle of the sequence", &view, references);
+    let what = ("C2", "middle of the sequence", &view, references);
     bleeding::compare(context, &loaded, what, &mut finding)?;
     Ok(finding)
 }
@@ -93,7 +93,7 @@ fn frames(
     );
     let unit = ("ms", context.software(backend));
     finding.time(("sequence", "frame"), backend, amount_of(&times), unit);
-    finding.trials.push(same(backend, worst));
+    finding.judge("C1", [same(backend, worst)]);
     finding.pictures.push(row);
     Ok(())
 }

@@ -1,9 +1,10 @@
 //! What a moving light does from frame to frame.
 
 use super::super::experiment_context::ExperimentContext;
-use super::super::experiment_scene::ExperimentScene;
 use super::super::finding::Finding;
 use super::super::pictures::Row;
+use super::super::scene_setup::SceneSetup;
+use super::super::setup::Runs;
 use super::super::verdict::{Amount, Trial};
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
@@ -11,6 +12,7 @@ use crate::running::view::View;
 use glam::{Quat, Vec3};
 use interreflect_estimators::Quantity;
 use interreflect_scene::{Estimate, Light, Points, Scene};
+use serde::Serialize;
 
 /// How many times smoother a map of all texels is where few samples flash.
 const FLASHES: f64 = 2.0;
@@ -18,35 +20,55 @@ const FLASHES: f64 = 2.0;
 /// What averaging has to leave at most.
 const REDUCED: f64 = 0.8;
 
-/// Name, samples along the edge, texels along the edge, fidelity and averaging of what is compared.
-const MAPS: [(&str, u32, u32, &str, bool); 3] = [
-    ("3×3 samples", 3, 16, "published", false),
-    ("3×3 samples, averaged", 3, 16, "published", true),
-    ("all of 64×64 texels", 64, 64, "corrected", false),
-];
+/// A light that swings in each of the scenes, and the map whose few samples flash.
+#[derive(Serialize)]
+pub(super) struct Flashing {
+    pub(super) scenes: [SceneSetup; 2],
+    /// w, texels along the edge of the picture from the light.
+    pub(super) texels: u32,
+    /// Samples along the edge.
+    pub(super) samples: u32,
+}
 
-pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> {
-    let mut finding = Finding::default();
-    for scene in ["cornell-box", "cave"] {
-        in_scene(context, scene, &mut finding)?;
+/// Name, samples along the edge, texels along the edge, fidelity and averaging of what is compared.
+type Map = (&'static str, u32, u32, &'static str, bool);
+
+impl Flashing {
+    fn maps(&self) -> [Map; 3] {
+        let (texels, samples) = (self.texels, self.samples);
+        [
+            ("few samples", samples, texels, "published", false),
+            ("few samples, averaged", samples, texels, "published", true),
+            ("all of 64×64 texels", 64, 64, "corrected", false),
+        ]
     }
-    Ok(finding)
+}
+
+impl Runs for Flashing {
+    fn run(&self, context: &ExperimentContext<'_>) -> Result<Finding, RunError> {
+        let mut finding = Finding::default();
+        for scene in &self.scenes {
+            in_scene(context, (scene, self.maps()), &mut finding)?;
+        }
+        Ok(finding)
+    }
 }
 
 fn in_scene(
     context: &ExperimentContext<'_>,
-    scene: &str,
+    (setup, map_list): (&SceneSetup, [Map; 3]),
     finding: &mut Finding,
 ) -> Result<(), RunError> {
-    let rest = context.scene(&ExperimentScene::of(scene).set("light.angle", 95), finding)?;
+    let scene = setup.source;
+    let rest = context.scene(&context.place(setup), finding)?;
     let loaded = context.set_up(&rest)?;
     let view = context.view_of(&loaded, context.pick(5_000, 20_000))?;
     let points = view.points(Quantity::Irradiance.layout());
-    let sequences = sequences(context, &rest, &points)?;
+    let sequences = sequences(context, &rest, &points, map_list)?;
     for (backend, maps) in context.backends().into_iter().zip(&sequences) {
         let mut flicker = Vec::new();
         let mut rows = Row::plain(format!("{scene}: two frames, {backend}"));
-        for (map, frames) in MAPS.iter().zip(maps) {
+        for (map, frames) in map_list.iter().zip(maps) {
             let value = second_difference(frames);
             let case = format!("{scene}, {}", map.0);
             let amount = Amount::exact(value);
@@ -56,7 +78,9 @@ fn in_scene(
         }
         if let [few, averaged, all] = flicker[..] {
             let trials = judged(scene, backend, [few, averaged, all]);
-            finding.trials.extend(trials);
+            let [flash, less] = trials;
+            finding.judge("C1", [flash]);
+            finding.judge("C2", [less]);
         }
         finding.pictures.push(rows);
     }
@@ -65,7 +89,8 @@ fn in_scene(
 
 /// That few samples flash, which all texels don't, and that averaging reduces it.
 fn judged(scene: &str, backend: Backend, [few, averaged, all]: [f64; 3]) -> [Trial; 2] {
-    let flash = format!("{scene}: {FLASHES} times the flicker of all texels below that of 3×3");
+    let flash =
+        format!("{scene}: {FLASHES} times the flicker of all texels below that of few samples");
     let less = format!("{scene}: flicker with averaging below {REDUCED} of that without");
     [
         Trial::less_by(flash, backend, (FLASHES * all, few), 0.0),
@@ -78,13 +103,14 @@ fn sequences(
     context: &ExperimentContext<'_>,
     rest: &Scene,
     points: &Points,
+    map_list: [Map; 3],
 ) -> Result<Vec<[Vec<Estimate>; 3]>, RunError> {
     let mut all: Vec<[Vec<Estimate>; 3]> = Vec::new();
     all.resize_with(context.backends().len(), Default::default);
     for index in 0..context.pick(24_u8, 90) {
         let loaded = context.set_up(&swung(rest, f32::from(index) / 30.0))?;
         for (backend, maps) in context.backends().into_iter().zip(&mut all) {
-            for ((_, samples, texels, fidelity, mip), frames) in MAPS.into_iter().zip(maps) {
+            for ((_, samples, texels, fidelity, mip), frames) in map_list.into_iter().zip(maps) {
                 let map = context.method(
                     "direct_radiance_map",
                     &[

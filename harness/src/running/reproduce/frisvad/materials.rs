@@ -61,7 +61,7 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
             }
             if let [lambert, whole] = &estimates[..] {
                 let trial = gained(&judge, (fidelity, backend), [lambert, whole]);
-                finding.trials.push(trial);
+                finding.judge("C1", [trial]);
             }
         }
     }

@@ -102,12 +102,10 @@ fn judge(backend: Backend, columns: &[Column], finding: &mut Finding) {
         finding.measure((name.as_str(), "triangles"), backend, count, "");
         if let [first, .., last] = times[..] {
             let what = format!("{name}: a frame of 2×2 samples below one of 5×5, ms");
-            finding.trials.push(Trial::less(what, backend, first, last));
+            finding.judge("C1", [Trial::less(what, backend, first, last)]);
             let what = format!("{name}: a frame of 5×5 samples below a second, ms");
             let second = Amount::exact(INTERACTIVE_MS);
-            finding
-                .trials
-                .push(Trial::less(what, backend, last, second));
+            finding.judge("C3", [Trial::less(what, backend, last, second)]);
         }
     }
     let fewest = columns.iter().min_by_key(|c| c.1);
@@ -118,9 +116,8 @@ fn judge(backend: Backend, columns: &[Column], finding: &mut Finding) {
                 "{n}×{n} samples: a frame of {} below one of {}, ms",
                 fewest.0, most.0
             );
-            finding
-                .trials
-                .push(Trial::less(what, backend, fewest.2[i], most.2[i]));
+            let trial = Trial::less(what, backend, fewest.2[i], most.2[i]);
+            finding.judge("C2", [trial]);
         }
     }
 }
@@ -140,14 +137,14 @@ mod tests {
             let columns = [column("many", 900, many), column("few", 9, few)];
             judge(Backend::Cpu, &columns, &mut finding);
             assert_eq!(finding.measured[0].value, 900.0);
-            signs(&finding.trials)
+            ["C1", "C2", "C3"].map(|claim| signs(finding.trials_of(claim)))
         };
         let (few, many) = ([100.0, 200.0, 300.0, 400.0], [500.0, 600.0, 700.0, 800.0]);
-        assert_eq!(judged(few, many), "++++++++");
+        assert_eq!(judged(few, many), ["++", "++++", "++"]);
         let (few, many) = (
             [5000.0, 4000.0, 3000.0, 2000.0],
             [1000.0, 900.0, 800.0, 700.0],
         );
-        assert_eq!(judged(few, many), "-+------");
+        assert_eq!(judged(few, many), ["--", "----", "+-"]);
     }
 }

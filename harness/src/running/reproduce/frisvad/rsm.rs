@@ -4,6 +4,8 @@ use super::super::experiment_context::ExperimentContext;
 use super::super::experiment_scene::ExperimentScene;
 use super::super::finding::Finding;
 use super::super::pictures::Row;
+use super::super::scene_setup::SceneSetup;
+use super::super::setup::Runs;
 use super::super::verdict::{Amount, Trial};
 use crate::domain::image::HdrImage;
 use crate::domain::record::Backend;
@@ -14,6 +16,7 @@ use interreflect_estimators::Quantity;
 use interreflect_estimators::execution::LoadedScene;
 use interreflect_scene::RsmImage;
 use interreflect_scene::rsm::view_index;
+use serde::Serialize;
 use std::f32::consts::FRAC_1_PI;
 
 /// Largest share of photons that lie elsewhere, and largest error of radiance over its mean.
@@ -22,16 +25,34 @@ const FEW: f64 = 0.01;
 /// Fraction of a ray's length by which a place may be off.
 const OFF: f64 = 1e-3;
 
+/// The scenes whose pictures from their lights are shown.
+#[derive(Serialize)]
+pub(super) struct LightPictures {
+    pub(super) scene: SceneSetup,
+}
+
+impl Runs for LightPictures {
+    fn run(&self, context: &ExperimentContext<'_>) -> Result<Finding, RunError> {
+        let mut finding = Finding::default();
+        let loaded = context.load(&context.place(&self.scene), &mut finding)?;
+        for backend in context.backends() {
+            if let Some(view) = from_light(context, &loaded, backend)? {
+                let shown = rows(&view, &format!("{}, {backend}", self.scene));
+                finding.pictures.extend(shown);
+            }
+        }
+        Ok(finding)
+    }
+}
+
 pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> {
     let mut finding = Finding::default();
-    let map = context.method("direct_radiance_map", &[])?;
-    let facts_of = |loaded: &LoadedScene| loaded.scene().facts();
     for scene in ["cornell-box", "cave"] {
         let loaded = context.load(&ExperimentScene::of(scene), &mut finding)?;
-        let needs = map.needs(Quantity::Irradiance, &facts_of(&loaded))?;
         for backend in context.backends() {
-            let mut views = rsms(&loaded, backend, &needs)?;
-            let Some(view) = views.pop() else { continue };
+            let Some(view) = from_light(context, &loaded, backend)? else {
+                continue;
+            };
             let (photons, elsewhere, error) = check(&loaded, &view);
             for (name, value) in [
                 ("photons", photons as f64),
@@ -40,15 +61,23 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
             ] {
                 finding.measure((scene, name), backend, Amount::exact(value), "");
             }
-            finding
-                .trials
-                .extend(judged(scene, backend, [elsewhere, error]));
-            finding
-                .pictures
-                .extend(rows(&view, &format!("{scene}, {backend}")));
+            let [place, radiance] = judged(scene, backend, [elsewhere, error]);
+            finding.judge("C1", [place]);
+            finding.judge("C2", [radiance]);
         }
     }
     Ok(finding)
+}
+
+/// The pictures that the published map takes from the scene's lights.
+fn from_light(
+    context: &ExperimentContext<'_>,
+    loaded: &LoadedScene,
+    backend: Backend,
+) -> Result<Option<RsmImage>, RunError> {
+    let map = context.method("direct_radiance_map", &[])?;
+    let needs = map.needs(Quantity::Irradiance, &loaded.scene().facts())?;
+    Ok(rsms(loaded, backend, &needs)?.pop())
 }
 
 /// That photons lie where rays meet a surface, and hold the light that is reflected there.

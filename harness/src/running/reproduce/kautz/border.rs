@@ -24,6 +24,10 @@ const SEEN: f64 = 3.0;
 /// What is left of a seam that is gone, at most.
 const GONE: f64 = 0.5;
 
+/// Change of the mirrored direction in radians between neighbouring pixels of a ball that fills a picture of some
+/// 200 pixels.
+const FOOTPRINT: f32 = 0.02;
+
 /// Levels of the pyramid of 64² texels a face.
 const LEVELS: [u32; 2] = [4, 5];
 
@@ -66,16 +70,16 @@ fn steps(
             ] {
                 finding.measure((&*case, label), backend, Amount::exact(value), "");
             }
-            finding
-                .trials
-                .extend(judged(&case, backend, [seam, face, mended]));
+            let [seen, gone] = judged(&case, backend, [seam, face, mended]);
+            finding.judge("C1", [seen]);
+            finding.judge("C2", [gone]);
         }
     }
     Ok(())
 }
 
 /// That the step across edges is a seam beside that inside faces, and that filtering across them mends it.
-fn judged(case: &str, backend: Backend, [seam, face, mended]: [f64; 3]) -> [Trial; 2] {
+pub(super) fn judged(case: &str, backend: Backend, [seam, face, mended]: [f64; 3]) -> [Trial; 2] {
     let seen = format!("{case}: {SEEN} steps inside faces below a step across edges");
     let gone = format!("{case}: step across edges below {GONE} of that face by face");
     [
@@ -86,7 +90,7 @@ fn judged(case: &str, backend: Backend, [seam, face, mended]: [f64; 3]) -> [Tria
 
 /// Pairs of points that mirror in directions a step apart, from either side of a plane: with the first
 /// axis at ±1, a pair lies at ±`along` on the second, which is the edge of the cube at 1.
-fn pairs(along: f32) -> Points {
+pub(super) fn pairs(along: f32) -> Points {
     let axes = [Vec3::X, Vec3::Y, Vec3::Z];
     let mut points = Vec::new();
     for i in 0..3 {
@@ -115,12 +119,12 @@ fn mirroring(direction: Vec3) -> Point {
             specular: Vec3::ONE,
             shininess: 225.0,
         },
-        footprint: 0.0,
+        footprint: FOOTPRINT,
     }
 }
 
 /// Mean difference within pairs over the mean of all values.
-fn mean_step(estimate: &Estimate) -> f64 {
+pub(super) fn mean_step(estimate: &Estimate) -> f64 {
     let values: Vec<Vec3> = estimate.iter().collect();
     let (mut step, mut sum) = (0.0, 0.0);
     for pair in values.chunks_exact(2) {

@@ -113,15 +113,15 @@ fn judge(
         }
         sharpness_of.push(sharp);
     }
-    finding
-        .trials
-        .extend(judged(backend, &sharpness_of, &gloss));
+    let (blurrier, stronger) = judged(backend, &sharpness_of, &gloss);
+    finding.judge("C1", stronger);
+    finding.judge("C2", blurrier);
 }
 
 /// That pictures lose sharpness with each step of b, and gain distance from that of f_λ = 0 with each step
 /// of f_λ; a list of both for each f_λ, over b.
-fn judged(backend: Backend, sharp: &[Vec<f64>], gloss: &[Vec<f64>]) -> Vec<Trial> {
-    let mut trials = Vec::new();
+fn judged(backend: Backend, sharp: &[Vec<f64>], gloss: &[Vec<f64>]) -> (Vec<Trial>, Vec<Trial>) {
+    let (mut blurrier, mut stronger) = (Vec::new(), Vec::new());
     for (sharp, f) in sharp.iter().zip(F_LAMBDAS) {
         for i in 1..BIASES.len() {
             let what = format!(
@@ -129,7 +129,7 @@ fn judged(backend: Backend, sharp: &[Vec<f64>], gloss: &[Vec<f64>]) -> Vec<Trial
                 BIASES[i],
                 BIASES[i - 1]
             );
-            trials.push(Trial::less_by(what, backend, (sharp[i], sharp[i - 1]), 0.0));
+            blurrier.push(Trial::less_by(what, backend, (sharp[i], sharp[i - 1]), 0.0));
         }
     }
     for (i, b) in BIASES.into_iter().enumerate() {
@@ -140,10 +140,10 @@ fn judged(backend: Backend, sharp: &[Vec<f64>], gloss: &[Vec<f64>]) -> Vec<Trial
                 F_LAMBDAS[f]
             );
             let pair = (gloss[f - 1][i], gloss[f][i]);
-            trials.push(Trial::less_by(what, backend, pair, 0.0));
+            stronger.push(Trial::less_by(what, backend, pair, 0.0));
         }
     }
-    trials
+    (blurrier, stronger)
 }
 
 /// Mean difference of neighbouring pixels that both show the surface, over their mean.
@@ -184,14 +184,20 @@ mod tests {
         let rows = |values: [[f64; 4]; 3]| values.map(|row| row.to_vec());
         let falling = rows([[4.0, 3.0, 2.0, 1.0]; 3]);
         let rising = rows([[1.0; 4], [2.0; 4], [3.0; 4]]);
-        let trials = judged(Backend::Cpu, &falling, &rising);
-        assert_eq!(signs(&trials), "+".repeat(9 + 8));
+        let (blurrier, stronger) = judged(Backend::Cpu, &falling, &rising);
+        assert_eq!(
+            (signs(&blurrier), signs(&stronger)),
+            ("+".repeat(9), "+".repeat(8))
+        );
         let (sharper, weaker) = (
             rows([[1.0, 2.0, 3.0, 4.0]; 3]),
             rows([[3.0; 4], [2.0; 4], [1.0; 4]]),
         );
-        let trials = judged(Backend::Cpu, &sharper, &weaker);
-        assert_eq!(signs(&trials), "-".repeat(9 + 8));
+        let (blurrier, stronger) = judged(Backend::Cpu, &sharper, &weaker);
+        assert_eq!(
+            (signs(&blurrier), signs(&stronger)),
+            ("-".repeat(9), "-".repeat(8))
+        );
     }
 
     /// 1 2 / 3 5, the last without a surface: |1 − 2| and |1 − 3| over 1.5 and 2.

@@ -52,7 +52,9 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
                 finding.time((name, format!("prepare {label}")), backend, ms, unit);
             }
             let times = (both.prepare_ms(), slow.prepare_ms());
-            finding.trials.extend(judged(name, backend, rms, times));
+            let [same, sooner] = judged(name, backend, rms, times);
+            finding.judge("C1", [same]);
+            finding.judge("C2", [sooner]);
             if first {
                 row.add("nine harmonics", view.image(&measured.estimate));
                 lit.add("harmonics and mip level", view.lit(&both.estimate));

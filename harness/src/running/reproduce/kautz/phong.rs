@@ -48,7 +48,9 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
                     let at = (name, "times as long to prepare");
                     finding.time(at, backend, ratio, ("", software));
                     let times = (fast.prepare_ms(), slow.prepare_ms());
-                    finding.trials.extend(judged(name, backend, rms, times));
+                    let [same, faster] = judged(name, backend, rms, times);
+                    finding.judge("C1", [same]);
+                    finding.judge("C2", [faster]);
                 }
                 finding.runs.push(fast.run);
             }

@@ -63,7 +63,7 @@ fn biases(context: &ExperimentContext<'_>, finding: &mut Finding) -> Result<(), 
             estimates.push((label, measured.estimate));
             finding.runs.push(measured.run);
         }
-        finding.trials.extend(nearest(&judge, backend, &estimates));
+        finding.judge("C1", nearest(&judge, backend, &estimates));
     }
     finding.pictures.push(row);
     Ok(())
@@ -111,7 +111,7 @@ fn filtered(
         Amount::exact(worst),
         "",
     );
-    finding.trials.push(unchanged(backend, worst));
+    finding.judge("C2", [unchanged(backend, worst)]);
     finding.pictures.push(row);
     Ok(())
 }

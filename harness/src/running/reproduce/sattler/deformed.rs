@@ -58,7 +58,7 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
             );
             if index > 0 {
                 let trial = follows(&judge, (&*title, *backend), &shaded.estimate, fixed);
-                finding.trials.push(trial);
+                finding.judge("C1", [trial]);
             }
             if *backend == context.backends()[0] {
                 row.add("this frame's", view.image(&shaded.estimate));

@@ -53,7 +53,7 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
             );
             finding.measure((&*case, "rms difference / mean"), backend, rms, "");
             if level == ENOUGH {
-                finding.trials.push(enough(&case, backend, rms));
+                finding.judge("C2", [enough(&case, backend, rms)]);
             }
             if backend == context.backends()[0] {
                 row.add(case, view.image(&measured.estimate));
@@ -61,7 +61,7 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
             estimates.push((k, measured.estimate));
             finding.runs.push(measured.run);
         }
-        finding.trials.extend(steps(&judge, backend, &estimates));
+        finding.judge("C1", steps(&judge, backend, &estimates));
     }
     finding.pictures.push(row);
     Ok(finding)

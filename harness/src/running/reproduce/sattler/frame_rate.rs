@@ -1,10 +1,11 @@
 //! A level that is lowered so that a frame rate is held, and refined at rest.
 
 use super::super::experiment_context::ExperimentContext;
-use super::super::experiment_scene::ExperimentScene;
 use super::super::finding::Finding;
 use super::super::measured_run::amount_of;
 use super::super::pictures::Row;
+use super::super::scene_setup::SceneSetup;
+use super::super::setup::Runs;
 use super::super::verdict::{Amount, Trial};
 use super::directions;
 use super::sequence::{DEFORMING, Moment, RESTING};
@@ -13,6 +14,7 @@ use crate::running::error::RunError;
 use crate::running::on_backend::Sequence;
 use interreflect_estimators::Configured;
 use interreflect_scene::{Estimate, Scene};
+use serde::Serialize;
 
 /// How far below the full level the frame rate is within reach.
 const BELOW: u32 = 2;
@@ -26,16 +28,21 @@ const SAME: f64 = 1e-3;
 /// Frames until the level has settled, while the model moves and at rest.
 const SETTLED: usize = 4;
 
-pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> {
-    let mut finding = Finding::default();
-    let place = ExperimentScene::of("studio")
-        .with(&context.mesh("dragon"))
-        .set("receiver.deformation", "wave");
-    let rest = context.scene(&place, &mut finding)?;
-    for backend in context.backends() {
-        held(context, &rest, backend, &mut finding)?;
+/// A model that moves and then rests.
+#[derive(Serialize)]
+pub(super) struct FrameRate {
+    pub(super) scene: SceneSetup,
+}
+
+impl Runs for FrameRate {
+    fn run(&self, context: &ExperimentContext<'_>) -> Result<Finding, RunError> {
+        let mut finding = Finding::default();
+        let rest = context.scene(&context.place(&self.scene), &mut finding)?;
+        for backend in context.backends() {
+            held(context, &rest, backend, &mut finding)?;
+        }
+        Ok(finding)
     }
-    Ok(finding)
 }
 
 /// What came of a frame rate on a backend.
@@ -76,8 +83,9 @@ fn held(
     }
     let left = difference(&settled.1, best);
     let times = (held.held_ms, held.full_ms);
-    let trials = judged(backend, held.budget_ms, times, left);
-    finding.trials.extend(trials);
+    let [controlled, without, rested] = judged(backend, held.budget_ms, times, left);
+    finding.judge("C1", [controlled, without]);
+    finding.judge("C2", [rested]);
     let mut row = Row::plain(format!("openness, {backend}"));
     for (caption, estimate) in &held.shown {
         row.add(*caption, last.view.image(estimate));

@@ -103,7 +103,7 @@ fn compare(
                     .enumerate()
             {
                 let trial = gained(judge, (case, reference), backend, [&with[i], &without[i]]);
-                finding.trials.push(trial);
+                finding.judge(["C1", "C2"][i], [trial]);
             }
         }
     }

@@ -157,8 +157,8 @@ fn note(context: &ExperimentContext<'_>, column: &Column, film: &Film, finding: 
 }
 
 fn judge(levels: &[u32], backend: Backend, table: &[Column], finding: &mut Finding) {
-    let mut less = |what: String, a: Amount, b: Amount| {
-        finding.trials.push(Trial::less(what, backend, a, b));
+    let mut less = |claim: &'static str, what: String, a: Amount, b: Amount| {
+        finding.judge(claim, [Trial::less(what, backend, a, b)]);
     };
     for column in table {
         let (model, time) = (&column.model, |l, way| column.time(backend, l, way));
@@ -169,14 +169,19 @@ fn judge(levels: &[u32], backend: Backend, table: &[Column], finding: &mut Findi
                 directions(fewer),
                 directions(more)
             );
-            less(what, time(fewer, Way::Animated), time(more, Way::Animated));
+            less(
+                "C1",
+                what,
+                time(fewer, Way::Animated),
+                time(more, Way::Animated),
+            );
         }
         for &level in levels {
             let (k, animated) = (directions(level), time(level, Way::Animated));
             let what = format!("{model}, k = {k}: filtered below unfiltered, ms");
-            less(what, time(level, Way::Filtered), animated);
+            less("C3", what, time(level, Way::Filtered), animated);
             let what = format!("{model}, k = {k}: static below animated, ms");
-            less(what, time(level, Way::Static), animated);
+            less("C4", what, time(level, Way::Static), animated);
         }
     }
     let fewest = table.iter().min_by_key(|c| c.vertices);
@@ -189,7 +194,7 @@ fn judge(levels: &[u32], backend: Backend, table: &[Column], finding: &mut Findi
                 few.vertices, many.vertices
             );
             let time = |column: &Column| column.time(backend, level, Way::Animated);
-            less(what, time(few), time(many));
+            less("C2", what, time(few), time(many));
         }
     }
 }
@@ -226,18 +231,18 @@ mod tests {
             let mut finding = Finding::default();
             let table = [column("large", 900, large), column("small", 90, small)];
             judge(&[0, 1], Backend::Cpu, &table, &mut finding);
-            signs(&finding.trials)
+            ["C1", "C2", "C3", "C4"].map(|claim| signs(finding.trials_of(claim)))
         };
         let (small, large) = (
             [[3.0, 2.0, 1.0], [6.0, 5.0, 4.0]],
             [[7.0, 6.0, 5.0], [9.0, 8.0, 7.0]],
         );
-        assert_eq!(judged(small, large), "+".repeat(2 * 5 + 2));
+        assert_eq!(judged(small, large), ["++", "++", "++++", "++++"]);
         // More directions faster, lists and rest slower, and fewer vertices slower.
         let (slow, fast) = (
             [[6.0, 7.0, 8.0], [5.0, 6.0, 7.0]],
             [[3.0, 4.0, 5.0], [2.0, 3.0, 4.0]],
         );
-        assert_eq!(judged(slow, fast), "-".repeat(2 * 5 + 2));
+        assert_eq!(judged(slow, fast), ["--", "--", "----", "----"]);
     }
 }

@@ -202,17 +202,11 @@ fn weigh(
         finding.measure((case, format!("{ERROR}, {label}")), backend, error, "");
     }
     let time = format!("{case}: frame of {cheap} below that of {dear}, ms");
-    finding
-        .trials
-        .push(Trial::less(time, backend, cheap_ms, dear_ms));
+    finding.judge("C1", [Trial::less(time, backend, cheap_ms, dear_ms)]);
     if near {
         let error = format!("{case}: error of {cheap} below {WORSE} times that of {dear}");
-        finding.trials.push(Trial::less(
-            error,
-            backend,
-            cheap_error,
-            dear_error.times(WORSE),
-        ));
+        let limit = dear_error.times(WORSE);
+        finding.judge("C2", [Trial::less(error, backend, cheap_error, limit)]);
     }
 }
 
@@ -231,7 +225,7 @@ mod tests {
             assert_eq!(finding.measured.len(), 4);
             assert_eq!(finding.measured[0].value, cheap.0.value);
             assert_eq!(finding.measured[3].value, dear.1.value);
-            signs(&finding.trials)
+            signs(finding.trials_of("C1")) + &signs(finding.trials_of("C2"))
         };
         let cost = |ms: f64, error: f64| (about(ms), Amount::exact(error));
         assert_eq!(weighed(cost(1.0, 1.9), cost(2.0, 1.0), true), "++");

@@ -125,7 +125,7 @@ fn compare(
         }
         shoot("M = 16 corrected", &*localized(context, 16, "corrected")?)?;
         let trials = nearer_than_classic(&judge, (case, backend), &maps, &classic);
-        finding.trials.extend(trials);
+        finding.judge("C1", trials);
     }
     finding.pictures.push(row);
     Ok(())

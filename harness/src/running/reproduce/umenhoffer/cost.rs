@@ -61,9 +61,11 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
             ratio,
             ("", software),
         );
-        finding
-            .trials
-            .extend(judged(backend, [shade[0], shade[1], shade[2]]));
+        let [polygons, points, limit, interactive] =
+            judged(backend, [shade[0], shade[1], shade[2]]);
+        finding.judge("C1", [polygons, points]);
+        finding.judge("C2", [limit]);
+        finding.judge("C3", [interactive]);
     }
     finding.pictures.push(row);
     Ok(finding)

@@ -62,7 +62,7 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
             )?;
             let (polygons, rivals) = ([&polygon, &mended], [&point, &classic]);
             let trials = judged(&judge, (m, backend), polygons, rivals);
-            finding.trials.extend(trials);
+            finding.judge("C1", trials);
         }
         finding.pictures.push(row);
     }

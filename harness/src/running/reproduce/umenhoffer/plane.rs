@@ -90,7 +90,9 @@ fn at(
         )?;
         if distance_m <= NEAR_M {
             let spikes = [point, polygon, corrected];
-            finding.trials.extend(judged(&case, backend, spikes));
+            let [spike, polygons @ ..] = judged(&case, backend, spikes);
+            finding.judge("C1", [spike]);
+            finding.judge("C2", polygons);
         }
     }
     finding.pictures.push(row);
