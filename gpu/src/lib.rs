@@ -10,6 +10,7 @@ mod coarse;
 mod context;
 mod cube;
 mod cx;
+mod direct;
 mod error;
 mod kernel;
 pub mod layout;
@@ -35,6 +36,7 @@ pub use coarse::GpuCoarseIrradiance;
 pub use context::GpuContext;
 pub use cube::GpuCube;
 pub use cx::GpuCx;
+pub use direct::direct_light;
 pub use error::GpuError;
 pub use kernel::{Binding, Kernel};
 pub use lights::MAX_LIGHTS;
@@ -46,11 +48,12 @@ pub use shader::{Shader, validate};
 pub use timestamps::{GpuTime, Mistimed};
 
 /// Every shader of this crate.
-pub fn shaders() -> [Shader; 4] {
+pub fn shaders() -> [Shader; 5] {
     [
         capture::cube::SHADER,
         capture::shadow::SHADER,
         capture::directional_depth::SHADER,
         capture::rsm::SHADER,
+        direct::SHADER,
     ]
 }

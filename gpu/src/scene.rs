@@ -92,6 +92,7 @@ impl GpuScene {
             materials.push(GpuMaterial::zeroed());
         }
         let bounds = Bounds::around(&host::Bounds::of_captured(scene));
+        let extent = host::Bounds::of_all(scene);
         let usage = wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::STORAGE;
         let buffer = context.filled_buffer("triangles", bytemuck::cast_slice(&vertices), usage)?;
         let environment = scene.environment.as_ref();
@@ -101,12 +102,12 @@ impl GpuScene {
             all_vertex_count: vertices.len() as u32,
             triangles: captured.iter().map(|d| d.index).collect(),
             materials: context.storage("materials", &materials)?,
-            lights: lights::GpuLights::new(context, &scene.lights, bounds)?,
+            lights: lights::GpuLights::new(context, &scene.lights, Bounds::around(&extent))?,
             environment: environment
                 .map(|e| GpuEnvironment::new(context, e))
                 .transpose()?,
             bounds,
-            extent: host::Bounds::of_all(scene),
+            extent,
             view_lights: scene.lights.clone(),
             corner_normals: corner_normals(context, scene, all())?,
         })

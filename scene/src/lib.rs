@@ -41,7 +41,7 @@ pub use light::{Incident, Light, LightPicture, SpotShape};
 pub use light_frame::{LightFrame, Projection, light_frames};
 pub use light_paths::LightPaths;
 pub use load::{SceneRequest, open, open_points};
-pub use material::Material;
+pub use material::{DirectLight, Material, ReflectionLaw};
 pub use mesh::Mesh;
 pub use motion::{Motion, Moves, SceneMotion};
 pub use needs::{CubeChannels, CubeSpec, Needs, RsmChannels, RsmSpec, RsmViews, SceneFacts};

@@ -1,6 +1,9 @@
 //! Surface materials.
 
+use crate::params::Choice;
 use glam::Vec3;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
 /// A surface: Lambertian plus normalised Blinn–Phong reflection, two-sided; emission leaves the
 /// front side only (the side from which the corners run counter-clockwise).
@@ -36,6 +39,34 @@ impl Material {
             emission,
             ..Self::diffuse(Vec3::ZERO)
         }
+    }
+}
+
+/// How surfaces reflect direct light.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum ReflectionLaw {
+    /// k_d/π.
+    #[default]
+    Lambert,
+    /// k_d/π and the normalised Blinn–Phong lobe of k_s.
+    BlinnPhong,
+}
+
+impl Choice for ReflectionLaw {}
+
+/// How direct light is computed for a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct DirectLight {
+    /// How surfaces reflect it.
+    pub law: ReflectionLaw,
+    /// Whether all objects cast shadows; without, light shines through them.
+    pub shadows: bool,
+}
+
+impl From<ReflectionLaw> for DirectLight {
+    fn from(law: ReflectionLaw) -> Self {
+        Self { law, shadows: true }
     }
 }
 

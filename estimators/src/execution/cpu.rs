@@ -5,10 +5,11 @@ use crate::{Captures, Configured, Cpu, EstimatorError, Session, Unsupported};
 use interreflect_cpu::capture::cube::capture_cube;
 use interreflect_cpu::capture::directional_depth::DirectionalDepths;
 use interreflect_cpu::capture::rsm::capture_rsms;
+use interreflect_cpu::direct::direct_light;
 use interreflect_cpu::path_tracer::CoarseSolution;
 use interreflect_cpu::scene::CpuScene;
 use interreflect_cpu::tiles::CpuCx;
-use interreflect_scene::{Estimate, Needs, Points, Scene};
+use interreflect_scene::{DirectLight, Estimate, Needs, Points, Scene};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Instant;
@@ -95,6 +96,16 @@ impl BackendScene for CpuLoadedScene {
         let mut cx = self.cx.clone();
         let start = Instant::now();
         work(&mut cx)?;
+        Ok(Elapsed::since(start))
+    }
+
+    fn direct_light(
+        &self,
+        placed: &mut Placed<Cpu>,
+        how: DirectLight,
+    ) -> Result<Elapsed, EstimatorError> {
+        let start = Instant::now();
+        placed.out = (self.cx).install(|| direct_light(&self.scene, &placed.points, how));
         Ok(Elapsed::since(start))
     }
 

@@ -4,9 +4,9 @@ use super::{BackendScene, CpuLoadedScene, Elapsed, Phase, Placed, environment, m
 use crate::{Captures, Configured, EstimatorError, Gpu, Session, Unsupported};
 use interreflect_gpu::{
     GpuCoarseIrradiance, GpuContext, GpuDirectionalDepths, GpuError, GpuEstimate, GpuOccluders,
-    GpuPoints, GpuScene, capture_cube, capture_rsms,
+    GpuPoints, GpuScene, capture_cube, capture_rsms, direct_light,
 };
-use interreflect_scene::{Estimate, Needs, Points, Scene};
+use interreflect_scene::{DirectLight, Estimate, Needs, Points, Scene};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
@@ -122,6 +122,18 @@ impl BackendScene for GpuLoadedScene {
 
     fn timed(&self, label: &str, work: &mut Phase<'_, Gpu>) -> Result<Elapsed, EstimatorError> {
         let (_, time) = self.context.record(label, |cx| work(cx))?;
+        Ok(time.into())
+    }
+
+    fn direct_light(
+        &self,
+        placed: &mut Placed<Gpu>,
+        how: DirectLight,
+    ) -> Result<Elapsed, EstimatorError> {
+        let Placed { points, out } = placed;
+        let (_, time) = self.context.record("direct light", |cx| {
+            direct_light(cx, &self.scene, points, out, how)
+        })?;
         Ok(time.into())
     }
 

@@ -13,7 +13,7 @@ pub use loaded_scene::LoadedScene;
 
 use crate::{Backend, Captures, Configured, EstimatorError, Quantity, Session, Unsupported};
 use interreflect_gpu::{GpuTime, Mistimed};
-use interreflect_scene::{Environment, Estimate, Needs, Points, Scene};
+use interreflect_scene::{DirectLight, Environment, Estimate, Needs, Points, Scene};
 use std::time::Instant;
 
 /// What is recorded, or done, in one phase.
@@ -82,6 +82,17 @@ pub trait BackendScene {
         &self,
         label: &str,
         work: &mut Phase<'_, Self::Backend>,
+    ) -> Result<Elapsed, EstimatorError>;
+
+    /// Computes the direct light that placed points reflect, into their estimate: what a frame
+    /// shows beside a method's. Points have the layout with materials.
+    ///
+    /// # Errors
+    /// [`EstimatorError`] if the backend refuses.
+    fn direct_light(
+        &self,
+        placed: &mut Placed<Self::Backend>,
+        how: DirectLight,
     ) -> Result<Elapsed, EstimatorError>;
 
     /// Brings the estimate to the host; milliseconds, or `None` where it is there already.

@@ -1,7 +1,7 @@
 //! Cube captures: radiance, distance and normal along the rays through texel centres.
 
 use super::raster::{Drawing, RASTER, begin_pass};
-use super::shadow::{SHADOW_MAPS, record_shadow_maps};
+use super::shadow::{SHADOW_MAPS, SHADOW_TEST, record_shadow_maps};
 use crate::pipeline::{Raster, RenderSpec};
 use crate::scene::MATERIAL;
 use crate::{
@@ -20,6 +20,7 @@ pub(crate) const SHADER: Shader = Shader {
         wgsl::LIGHTS,
         RASTER,
         SHADOW_MAPS,
+        SHADOW_TEST,
         MATERIAL,
         include_str!("coarse.wgsl"),
         include_str!("cube.wgsl"),
@@ -111,7 +112,7 @@ fn prepare(
     let environment = scene.environment.as_ref().filter(|_| radiance);
     let coarse = solution_for(cube.spec(), coarse)?;
     let shadow_maps = lights
-        .map(|l| record_shadow_maps(cx, scene, l))
+        .map(|l| record_shadow_maps(cx, scene, (l, scene.vertex_count)))
         .transpose()?;
     let capture = context.uniform("capture", &Capture::new(scene, origin, cube.spec()))?;
     let bindings = [

@@ -11,6 +11,9 @@ pub(crate) const SHADOW_SIZE: u32 = 1024;
 /// WGSL of the maps' geometry.
 pub(crate) const SHADOW_MAPS: &str = include_str!("shadow_maps.wgsl");
 
+/// WGSL of the test against them.
+pub(crate) const SHADOW_TEST: &str = include_str!("shadow_test.wgsl");
+
 pub(crate) const SHADER: Shader = Shader {
     label: "shadow maps",
     parts: &[
@@ -23,11 +26,12 @@ pub(crate) const SHADER: Shader = Shader {
     ],
 };
 
-/// Records the shadow maps of all lights into the layers of one texture.
+/// Records the shadow maps of all lights into the layers of one texture: shadows of the triangles of a scene's
+/// first `corners` corners.
 pub(crate) fn record_shadow_maps(
     cx: &mut GpuCx,
     scene: &GpuScene,
-    lights: &GpuLights,
+    (lights, corners): (&GpuLights, u32),
 ) -> Result<wgpu::TextureView, GpuError> {
     let context = cx.context().clone();
     let layers = lights.shadow_instances.len() as u32;
@@ -46,7 +50,7 @@ pub(crate) fn record_shadow_maps(
     for (layer, &instance) in (0..).zip(&lights.shadow_instances) {
         let target = Some(layer_view(&maps, layer));
         let mut pass = begin_pass(cx, SHADER.label, &[target], &depth);
-        drawing.draw_scene(&mut pass, scene, instance);
+        drawing.draw(&mut pass, &scene.vertices, corners, instance);
     }
     Ok(array_view(&maps))
 }

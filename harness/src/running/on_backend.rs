@@ -5,9 +5,9 @@ use crate::running::clock::Sampling;
 use crate::running::error::RunError;
 use crate::running::frames::{Frame, Frames, Shaded};
 use crate::running::measure::{Measured, measure};
-use interreflect_estimators::execution::{BackendScene, LoadedScene};
+use interreflect_estimators::execution::{BackendScene, Elapsed, LoadedScene};
 use interreflect_estimators::{Configured, Cpu, Gpu, Quantity};
-use interreflect_scene::{Needs, Points, RsmImage};
+use interreflect_scene::{DirectLight, Estimate, Needs, Points, RsmImage};
 
 /// A sequence of frames on each backend, begun where its first frame was asked for.
 #[derive(Default)]
@@ -70,6 +70,31 @@ pub fn next_frame(
         Backend::Gpu => sequence
             .gpu
             .next(scene.on::<Gpu>()?, method, quantity, frame),
+    }
+}
+
+/// The direct light that points reflect, and the time that this took.
+///
+/// # Errors
+/// [`RunError`] if the backend refuses, or if the scene is not on it.
+pub fn direct_light(
+    scene: &LoadedScene,
+    backend: Backend,
+    points: &Points,
+    how: DirectLight,
+) -> Result<(Estimate, Elapsed), RunError> {
+    fn on<B: BackendScene>(
+        side: &B,
+        points: &Points,
+        how: DirectLight,
+    ) -> Result<(Estimate, Elapsed), RunError> {
+        let mut placed = side.place(points)?;
+        let elapsed = side.direct_light(&mut placed, how)?;
+        Ok((side.read_back(&placed.out)?.0, elapsed))
+    }
+    match backend {
+        Backend::Cpu => on(scene.on::<Cpu>()?, points, how),
+        Backend::Gpu => on(scene.on::<Gpu>()?, points, how),
     }
 }
 

@@ -20,6 +20,8 @@ pub struct View {
     pub resolution: [u32; 2],
     points: Vec<Option<Point>>,
     pixels: Vec<Pixel>,
+    /// The surface that each pixel sees, shaded or not.
+    seen: Vec<Option<Point>>,
     /// The triangles whose corners the points are, and those that some pixel shows; none where the
     /// points are the pixels'.
     vertices: Option<(Vec<[u32; 3]>, Vec<u32>)>,
@@ -32,8 +34,10 @@ struct Pixel {
     taps: Option<Taps>,
     /// Product of the mirrors' reflectances between camera and point.
     throughput: Vec3,
-    /// Radiance that needs no estimate: emission, reflected direct light, environment at infinity.
-    direct: Vec3,
+    /// The same, up to the surface that is seen, shaded or not.
+    mirrored: Vec3,
+    /// Radiance that is there without any reflection: emission, environment at infinity.
+    emitted: Vec3,
 }
 
 /// Points with their weights.
@@ -150,6 +154,7 @@ impl View {
         Ok(Self {
             resolution: [width, height],
             pixels: pixels.collect(),
+            seen: traced.iter().map(|traced| traced.seen).collect(),
             points,
             vertices: None,
         })
@@ -181,11 +186,13 @@ impl View {
             traced.pixel(taps)
         });
         let pixels = pixels.collect();
+        let seen = traced.iter().map(|traced| traced.seen).collect();
         visible.sort_unstable();
         visible.dedup();
         Ok(Self {
             resolution: camera.resolution,
             pixels,
+            seen,
             points: vertices.points,
             vertices: Some((vertices.triangles, visible)),
         })
@@ -232,11 +239,18 @@ impl View {
         })
     }
 
-    /// All light that reaches the camera, from an estimate of what each point reflects.
-    pub fn lit(&self, reflected: &Estimate) -> HdrImage {
+    /// The surfaces that pixels see, a point for each pixel: what reflects direct light.
+    pub fn seen(&self) -> Points {
+        Points::new(PointLayout::Material, self.seen.iter().copied())
+    }
+
+    /// All light that reaches the camera, from estimates of what each point reflects of indirect light and each
+    /// of [`Self::seen`] of direct light.
+    pub fn lit(&self, reflected: &Estimate, direct: &Estimate) -> HdrImage {
         let mut image = self.image(reflected);
-        for (value, pixel) in image.pixels.iter_mut().zip(&self.pixels) {
-            *value += pixel.direct;
+        let pixels = self.pixels.iter().zip(direct.iter());
+        for (value, (pixel, direct)) in image.pixels.iter_mut().zip(pixels) {
+            *value += pixel.emitted + pixel.mirrored * direct;
         }
         image
     }

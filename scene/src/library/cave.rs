@@ -24,6 +24,9 @@ pub(super) struct Settings {
     #[default(60.0)]
     #[schemars(range(min = 0.0, max = 10_000.0), extend("unit" = "W/sr"))]
     intensity: f32,
+    /// The mirror and the mirror ball are there.
+    #[default(true)]
+    mirrors: bool,
     /// Reflectance of the mirrors.
     #[serde(rename = "mirror.specular")]
     #[default(0.9)]
@@ -80,11 +83,13 @@ impl Recipe for Cave {
         };
         let ball = Model::uniform(shapes::sphere(0.32, BALL_FREQUENCY), mirror);
         let ball = ball.moved(Vec3::new(0.05, -0.88, -0.25));
-        parts.add("mirror ball", Role::Environment, ball);
         let plane = Model::uniform(shapes::quad(1.3, 1.6), mirror);
         let facing = Vec3::new(-0.9, 0.05, 0.4).normalize();
         let plane = plane.placed(Vec3::new(1.35, -0.4, -0.7), upright(facing), 1.0);
-        parts.add("mirror", Role::Environment, plane);
+        if s.mirrors {
+            parts.add("mirror ball", Role::Environment, ball);
+            parts.add("mirror", Role::Environment, plane);
+        }
         let direction = Vec3::new(-0.7, -0.35, -0.62).normalize();
         let setting = Setting {
             lights: vec![Light::Spot {

@@ -5,7 +5,7 @@ use super::Recipe;
 use super::receiver::{self, Look};
 use crate::load::build::{Model, Parts};
 use crate::load::{Setting, assemble};
-use crate::{Camera, Light, Material, Mesh, Role, Scene, SceneError, SpotShape};
+use crate::{Camera, Light, Material, Mesh, Role, Scene, SceneError, SpotShape, shapes};
 use glam::Vec3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -27,8 +27,33 @@ enum Lamp {
     Emitter,
 }
 
+/// What stands in the box.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+enum Blocks {
+    /// The two blocks.
+    #[default]
+    Blocks,
+    /// Two mirror balls in their places.
+    MirrorBalls,
+}
+
+/// Where a receiver is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+enum Place {
+    /// On the floor, beside the short block.
+    #[default]
+    Floor,
+    /// In the air, its top 5 cm under the lamp.
+    Lamp,
+}
+
 #[derive(Clone, Debug, PartialEq, SmartDefault, Serialize, Deserialize, JsonSchema)]
 pub(super) struct Settings {
+    /// The two blocks, or two mirror balls in their places.
+    #[serde(rename = "inside")]
+    blocks: Blocks,
     /// A spot light, a distant isotropic area light, or the glowing patch itself.
     #[serde(rename = "light")]
     lamp: Lamp,
@@ -42,6 +67,9 @@ pub(super) struct Settings {
     #[default(3.0)]
     #[schemars(range(min = 0.0, max = 1000.0))]
     brightness: f32,
+    /// A receiver stands on the floor, or is in the air under the lamp.
+    #[serde(rename = "receiver.place")]
+    place: Place,
     /// Longest side of the receiver, if one is asked for.
     #[serde(rename = "receiver.size")]
     #[default(0.18)]
@@ -123,6 +151,11 @@ const GREEN: Vec3 = Vec3::new(0.14, 0.45, 0.091);
 
 /// Where a receiver stands: on the floor in the front half, beside the short block.
 const RECEIVER_FOOT: Vec3 = Vec3::new(0.42, 0.0, 0.12);
+/// The top of a receiver under the lamp, above the blocks.
+const UNDER_THE_LAMP: Vec3 = Vec3::new(0.278, 0.4983, 0.2795);
+/// Radius in metres of a mirror ball, and its reflectance.
+const BALL_M: f32 = 0.09;
+const BALL_REFLECTANCE: f32 = 0.9;
 /// The middle of the free space: above the short block, before the tall one.
 const FREE_CENTRE: Vec3 = Vec3::new(0.278, 0.36, 0.16);
 
@@ -141,7 +174,13 @@ impl Recipe for CornellBox {
         room.mesh.materials = vec![0, 0, 0, 0, 0, 0, 1, 1, 2, 2];
         parts.add("room", Role::Environment, room);
         for (name, foot, height) in BLOCKS {
-            let model = Model::uniform(quads(&block(foot, height)), Material::diffuse(WHITE));
+            let (name, model) = match s.blocks {
+                Blocks::Blocks => {
+                    let mesh = quads(&block(foot, height));
+                    (name, Model::uniform(mesh, Material::diffuse(WHITE)))
+                }
+                Blocks::MirrorBalls => ("mirror ball", mirror_ball(foot)),
+            };
             parts.add(name, Role::Environment, model);
         }
         if s.lamp == Lamp::Emitter {
@@ -154,8 +193,11 @@ impl Recipe for CornellBox {
         let mut reference_point = FREE_CENTRE;
         if let Some(name) = receivers.first() {
             let model = receiver::model(name, s.size, &s.look)?;
-            let (lo, _) = model.mesh.bounds().unwrap_or_default();
-            reference_point = RECEIVER_FOOT - Vec3::Y * lo.y;
+            let (lo, hi) = model.mesh.bounds().unwrap_or_default();
+            reference_point = match s.place {
+                Place::Floor => RECEIVER_FOOT - Vec3::Y * lo.y,
+                Place::Lamp => UNDER_THE_LAMP - Vec3::Y * hi.y,
+            };
             receiver::add(&mut parts, name, model.moved(reference_point), &s.look);
         }
         let setting = Setting {
@@ -198,6 +240,18 @@ fn light(s: &Settings) -> Option<Light> {
             })
         }
     }
+}
+
+/// A ball on the floor in the middle of a block's foot.
+fn mirror_ball(foot: [[f32; 2]; 4]) -> Model {
+    let mirror = Material {
+        mirror: true,
+        specular: Vec3::splat(BALL_REFLECTANCE),
+        ..Material::diffuse(Vec3::ZERO)
+    };
+    let [x, z] = [0, 1].map(|axis| foot.iter().map(|corner| corner[axis]).sum::<f32>() * 0.25e-3);
+    let ball = Model::uniform(shapes::sphere(BALL_M, 12), mirror);
+    ball.moved(Vec3::new(x, BALL_M, z))
 }
 
 /// Top and sides of a block.

@@ -6,6 +6,7 @@
 mod bounces;
 mod brief;
 mod costs;
+mod direct_light;
 mod environment_maps;
 mod errata;
 mod extremes;
@@ -52,6 +53,7 @@ fn main() {
         bounces::trials(),
         errata::trials(),
         form_factors::trials(),
+        direct_light::trials(),
         radiance_maps::trials(),
         environment_maps::trials(),
         openness::trials(),

@@ -2,7 +2,7 @@
 
 use crate::ensure;
 use glam::{DVec3, Vec3};
-use interreflect::view::View;
+use interreflect::view::{Shade, View};
 use interreflect_conformance::verify::{BoxScene, Lighting, Placement};
 use interreflect_cpu::scene::CpuScene;
 use interreflect_scene::{
@@ -40,7 +40,8 @@ impl TestScene {
         };
         let scene = interreflect_scene::open(&request).expect("a library scene");
         let mut test_scene = Self::new(name, &scene, Vec::new());
-        let view = View::of_about(&test_scene.cpu, &scene.camera, 400).expect("a view with points");
+        let view = View::of_about(&test_scene.cpu, &scene.camera, (400, Shade::default()))
+            .expect("a view with points");
         test_scene.points = view.points(PointLayout::Material).iter().collect();
         test_scene
     }

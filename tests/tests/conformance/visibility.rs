@@ -7,7 +7,7 @@ use crate::ensure;
 use crate::test_scenes::{TEST_SCENES, TestScene, same_bits};
 use crate::variants::{CPU, Outcome, configured, cpu_scene, gpu_scene, ignored, on_gpu};
 use glam::Quat;
-use interreflect::view::{Look, Mirrors, ShadedAt, View};
+use interreflect::view::{Look, Mirrors, Shade, ShadedAt, View};
 use interreflect_cpu::scene::CpuScene;
 use interreflect_estimators::execution::BackendScene;
 use interreflect_estimators::{Changed, Quantity, Records};
@@ -19,6 +19,7 @@ use ways::ways_agree;
 const VERTICES: Look = Look {
     at: ShadedAt::Vertices,
     mirrors: Mirrors::Included,
+    shade: Shade::Receivers,
 };
 
 const AO: Quantity = Quantity::AmbientOcclusion;
@@ -164,7 +165,7 @@ fn orbit() -> Result<Vec<View>, Failed> {
         let turn = Quat::from_rotation_y((15.0 * i as f32).to_radians());
         let eye = camera.target + turn * (camera.eye - camera.target);
         let camera = small(Camera { eye, ..camera });
-        CPU.install(|| View::with(scene, &camera, VERTICES))
+        CPU.install(|| View::new(scene, &camera, VERTICES))
     });
     Ok(views.collect::<Result<_, _>>()?)
 }

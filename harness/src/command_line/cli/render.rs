@@ -6,6 +6,7 @@ use crate::running::settings::Setting;
 use crate::running::view::{Look, Mirrors, Shade, ShadedAt};
 use clap::Args;
 use interreflect_estimators::Quantity;
+use interreflect_scene::ReflectionLaw;
 use interreflect_scene::params::Choice;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -56,6 +57,9 @@ pub struct Render {
     #[arg(long, value_name = "WHAT", default_value = "included")]
     #[arg(value_parser = choice::<Mirrors>())]
     pub mirrors: Mirrors,
+    /// Direct light by Lambert's law, or by the whole material
+    #[arg(long, value_name = "LAW", default_value = "lambert", value_parser = choice::<ReflectionLaw>())]
+    pub direct_light: ReflectionLaw,
     /// Number of frames of a moving scene; default: one image of the scene at rest
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub frames: Option<u32>,

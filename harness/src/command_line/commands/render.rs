@@ -9,12 +9,12 @@ use crate::domain::record::{Backend, Phases, Run};
 use crate::presenting::output::{Header, write_exr, write_png};
 use crate::running::clock::Sampling;
 use crate::running::context::{Context, GpuUse};
-use crate::running::on_backend::{Timed, measure_on};
+use crate::running::on_backend::{Timed, direct_light, measure_on};
 use crate::running::view::View;
 use glam::Vec3;
 use interreflect_estimators::execution::LoadedScene;
 use interreflect_estimators::{Configured, Quantity, Registry};
-use interreflect_scene::{Camera, Estimate, PointLayout, Points, Scene};
+use interreflect_scene::{Camera, Estimate, PointLayout, Points, ReflectionLaw, Scene};
 use serde::Serialize;
 use std::f32::consts::FRAC_1_PI;
 use std::path::PathBuf;
@@ -80,7 +80,8 @@ pub(super) fn run(
             &points,
             &Sampling::ONCE,
         )?;
-        let image = shown.image(&view, &materials, &measured.estimate);
+        let direct = shown.direct(&loaded, backend, (&view, command.direct_light))?;
+        let image = shown.image((&view, &materials), &measured.estimate, direct.as_ref());
         let stem = shown.stem(scene.scene(), &*method, backend);
         let folder = command.out.clone().unwrap_or_else(|| OUT.into());
         let (exr, png) = (
@@ -179,18 +180,37 @@ impl Shown {
         format!("{scene}-{id}{fidelity}-{}-{backend}", self.name())
     }
 
-    pub(super) fn image(&self, view: &View, points: &Points, estimate: &Estimate) -> HdrImage {
-        match self {
-            Self::Quantity(_) => view.image(estimate),
-            Self::Light(Quantity::GlossyRadiance) => view.lit(estimate),
-            Self::Light(_) => {
-                let mut reflected = Estimate::new(estimate.len());
-                for (i, point) in points.iter().enumerate() {
-                    let albedo = point.map_or(Vec3::ZERO, |p| p.material.diffuse);
-                    reflected.set(i, estimate.get(i) * albedo * FRAC_1_PI);
-                }
-                view.lit(&reflected)
-            }
+    /// The direct light of the image, computed where the estimate is; `None` where it shows none.
+    pub(super) fn direct(
+        &self,
+        loaded: &LoadedScene,
+        backend: Backend,
+        (view, law): (&View, ReflectionLaw),
+    ) -> Result<Option<Estimate>, CommandError> {
+        let Self::Light(_) = self else {
+            return Ok(None);
+        };
+        let (direct, _) = direct_light(loaded, backend, &view.seen(), law.into())?;
+        Ok(Some(direct))
+    }
+
+    pub(super) fn image(
+        &self,
+        (view, points): (&View, &Points),
+        estimate: &Estimate,
+        direct: Option<&Estimate>,
+    ) -> HdrImage {
+        let Some(direct) = direct else {
+            return view.image(estimate);
+        };
+        if self.quantity() == Quantity::GlossyRadiance {
+            return view.lit(estimate, direct);
         }
+        let mut reflected = Estimate::new(estimate.len());
+        for (i, point) in points.iter().enumerate() {
+            let albedo = point.map_or(Vec3::ZERO, |p| p.material.diffuse);
+            reflected.set(i, estimate.get(i) * albedo * FRAC_1_PI);
+        }
+        view.lit(&reflected, direct)
     }
 }

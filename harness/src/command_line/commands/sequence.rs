@@ -69,7 +69,8 @@ pub(super) fn run(command: &Render, registry: Registry) -> Result<(), CommandErr
             let (method, quantity) = (&*method, shown.quantity());
             let shaded = next_frame(&loaded, backend, &mut sequence, method, quantity, &frame)?;
             let materials = view.points(PointLayout::Material);
-            let image = shown.image(&view, &materials, &shaded.estimate);
+            let direct = shown.direct(&loaded, backend, (&view, command.direct_light))?;
+            let image = shown.image((&view, &materials), &shaded.estimate, direct.as_ref());
             // One for all frames: brightness must not flicker.
             let exposure = *exposure.get_or_insert_with(|| Exposure::of(&image));
             let folder = command.out.clone().unwrap_or_else(|| OUT.into());

@@ -3,14 +3,15 @@
 use super::assets::{Assets, Model};
 use super::experiment_scene::{ExperimentScene, setting};
 use super::finding::Finding;
-use super::measured_run::MeasuredRun;
+use super::measured_run::{MeasuredRun, amount_of};
 use super::scene_setup::SceneSetup;
+use super::verdict::Amount;
 use crate::domain::record::{Backend, Phases, Run};
 use crate::running::clock::Sampling;
 use crate::running::context::{Context, GpuUse};
 use crate::running::error::RunError;
 use crate::running::frames::{Frame, Shaded};
-use crate::running::on_backend::{Sequence, measure_on, next_frame};
+use crate::running::on_backend::{Sequence, direct_light, measure_on, next_frame};
 use crate::running::run_record;
 use crate::running::truth::References;
 use crate::running::view::{Look, Shade, View};
@@ -19,7 +20,7 @@ use interreflect_estimators::execution::LoadedScene;
 use interreflect_estimators::{Configured, Quantity, VisibleTriangles};
 use interreflect_scene::library::RECEIVERS;
 use interreflect_scene::motion::Moves;
-use interreflect_scene::{Camera, Points, Role, Scene};
+use interreflect_scene::{Camera, DirectLight, Estimate, Points, ReflectionLaw, Role, Scene};
 
 /// Share of a mesh's area turned inside out above which it is remarked.
 const FOLDED: f64 = 1e-3;
@@ -273,6 +274,32 @@ impl<'a> ExperimentContext<'a> {
             estimate: timed.measured.estimate,
             run,
         })
+    }
+
+    /// The direct light that the surfaces of a view reflect by Lambert's law, computed on a backend.
+    pub(super) fn direct_light(
+        &self,
+        loaded: &LoadedScene,
+        backend: Backend,
+        view: &View,
+    ) -> Result<Estimate, RunError> {
+        let by_lambert = ReflectionLaw::Lambert.into();
+        Ok(direct_light(loaded, backend, &view.seen(), by_lambert)?.0)
+    }
+
+    /// Direct light at points, and the milliseconds that it takes, shadows included, over a few runs.
+    pub(super) fn direct_light_timed(
+        &self,
+        loaded: &LoadedScene,
+        backend: Backend,
+        (points, how): (&Points, DirectLight),
+    ) -> Result<(Estimate, Amount), RunError> {
+        let (estimate, _) = direct_light(loaded, backend, points, how)?;
+        let mut times_ms = Vec::new();
+        for _ in 0..self.pick(3, 9) {
+            times_ms.push(direct_light(loaded, backend, points, how)?.1.ms());
+        }
+        Ok((estimate, amount_of(&times_ms)))
     }
 
     /// Runs the next frame of a sequence.

@@ -31,6 +31,14 @@ impl Amount {
         }
     }
 
+    /// The sum of two independent numbers.
+    pub fn plus(self, other: Self) -> Self {
+        Self {
+            value: self.value + other.value,
+            spread: self.spread.hypot(other.spread),
+        }
+    }
+
     /// The quotient of two independent numbers, the spreads to first order; the divisor is not 0.
     pub fn over(self, other: Self) -> Self {
         let value = self.value / other.value;

@@ -2,7 +2,6 @@
 
 use super::{Look, Mirrors, Pixel, Taps};
 use glam::{DVec3, Vec3};
-use interreflect_cpu::direct::captured_radiance;
 use interreflect_cpu::scene::{CpuScene, SurfaceHit};
 use interreflect_scene::{Camera, Point, Role, SurfaceMaterial};
 use rayon::prelude::*;
@@ -36,8 +35,11 @@ pub(super) struct Traced {
     pub(super) point: Option<Point>,
     /// What the ray met there.
     pub(super) hit: Option<SurfaceHit>,
+    /// The surface that is seen, if it is no mirror.
+    pub(super) seen: Option<Point>,
     throughput: Vec3,
-    direct: Vec3,
+    mirrored: Vec3,
+    emitted: Vec3,
 }
 
 impl Traced {
@@ -50,23 +52,23 @@ impl Traced {
         let mut traced = Self {
             point: None,
             hit: None,
+            seen: None,
             throughput: Vec3::ONE,
-            direct: Vec3::ZERO,
+            mirrored: Vec3::ONE,
+            emitted: Vec3::ZERO,
         };
         let geometry = scene.all_objects();
-        // Factor on direct light; `throughput` is the one on the estimate.
-        let mut mirrored = Vec3::ONE;
         let mut seen_in_mirror = false;
         for _ in 0..=MIRRORS {
             let start = geometry.ray_start();
             let Some(hit) = scene.closest(geometry, origin, direction, start) else {
                 let environment = scene.scene().environment.as_ref();
                 let radiance = environment.map_or(Vec3::ZERO, |e| e.radiance(direction));
-                traced.direct = mirrored * radiance;
+                traced.emitted = traced.mirrored * radiance;
                 break;
             };
             if hit.material.mirror {
-                mirrored *= hit.material.specular;
+                traced.mirrored *= hit.material.specular;
                 let shown = !only_receivers || hit.role == Role::Receiver;
                 if mirrors == Mirrors::Diffuse && shown && traced.point.is_none() {
                     traced.point = Some(as_diffuse(&hit, direction));
@@ -78,11 +80,15 @@ impl Traced {
                 origin = hit.position;
                 continue;
             }
-            traced.direct = mirrored * captured_radiance(scene, geometry, &hit, None);
+            if hit.front {
+                traced.emitted = traced.mirrored * hit.material.emission;
+            }
+            let here = shaded(&hit, direction);
+            traced.seen = Some(here);
             let counts = mirrors == Mirrors::Included || !seen_in_mirror;
             if counts && (!only_receivers || hit.role == Role::Receiver) {
-                traced.throughput = mirrored;
-                traced.point = Some(shaded(&hit, direction));
+                traced.throughput = traced.mirrored;
+                traced.point = Some(here);
                 traced.hit = Some(hit);
             }
             break;
@@ -95,7 +101,8 @@ impl Traced {
         Pixel {
             taps,
             throughput: self.throughput,
-            direct: self.direct,
+            mirrored: self.mirrored,
+            emitted: self.emitted,
         }
     }
 }

@@ -11,7 +11,7 @@ use glam::Vec3;
 use interreflect::clock::Sampling;
 use interreflect::image::HdrImage;
 use interreflect::measure::measure;
-use interreflect::view::View;
+use interreflect::view::{Look, View};
 use interreflect_conformance::exchange::downloaded;
 use interreflect_estimators::Quantity;
 use interreflect_estimators::execution::{BackendScene, CpuLoadedScene, GpuLoadedScene};
@@ -49,7 +49,7 @@ fn same_image(
         resolution: [96, 72],
         ..test_scene.cpu.scene().camera
     };
-    let view = View::new(&test_scene.cpu, &camera)?;
+    let view = View::new(&test_scene.cpu, &camera, Look::default())?;
     let (cpu, gpu) = (cpu_scene(test_scene), gpu_scene(context, test_scene)?);
     let by_cpu = image(&cpu, variant, &view)?;
     let by_gpu = image(&gpu, variant, &view)?;

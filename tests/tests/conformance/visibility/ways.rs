@@ -56,7 +56,7 @@ pub(super) fn ways_agree(context: &Arc<GpuContext>, model: &Path) -> Outcome {
     })?;
     let level = 1;
     let mut test_scene = TestScene::new("model", &scene, Vec::new());
-    let view = View::with(&test_scene.cpu, &small(scene.camera), VERTICES)?;
+    let view = View::new(&test_scene.cpu, &small(scene.camera), VERTICES)?;
     // Every fourth vertex: queries are slow.
     let vertices = view.points(PointLayout::Surface);
     test_scene.set_points(vertices.iter().step_by(4).collect());

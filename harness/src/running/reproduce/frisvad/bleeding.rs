@@ -109,10 +109,15 @@ pub(super) fn compare(
     let truth = references.truth();
     let judge = Judge::new(truth, &points);
     let ambient = uniform(&truth.values, &points);
-    let lit = |e: &Estimate| view.lit(&reflected(&materials, e));
+    let first = context.backends()[0];
+    let direct = context.direct_light(loaded, first, view)?;
+    let lit = |e: &Estimate| view.lit(&reflected(&materials, e), &direct);
     let title = format!("{case}: direct and indirect light");
     let mut row = Row::against(title, "path tracing", lit(&truth.values), view.surfaces());
-    row.add("direct light alone", view.lit(&Estimate::new(points.len())));
+    row.add(
+        "direct light alone",
+        view.lit(&Estimate::new(points.len()), &direct),
+    );
     row.add("best uniform ambient light", lit(&ambient));
     let mut alone = Row::plain(format!("{case}: indirect light alone"));
     alone.add(
@@ -187,7 +192,7 @@ fn sum(estimate: &Estimate) -> DVec3 {
 
 /// Pearson's correlation of red less green over their sum, weighted by the second one's sum: colours of
 /// what is nearly black are noise.
-fn correlation(a: &Estimate, b: &Estimate) -> f64 {
+pub(super) fn correlation(a: &Estimate, b: &Estimate) -> f64 {
     let colour = |v: Vec3| {
         let v = v.as_dvec3();
         let sum = v.x + v.y;

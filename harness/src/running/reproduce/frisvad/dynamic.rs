@@ -9,7 +9,6 @@ use super::bleeding;
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
 use crate::running::on_backend::Sequence;
-use crate::running::view::View;
 use glam::Vec3;
 use interreflect_estimators::Quantity;
 use interreflect_scene::motion::Moves;
@@ -71,7 +70,10 @@ fn frames(
             times.push(on.ms);
         }
         if index % count.div_ceil(4) == 0 {
-            row.add(format!("frame {index}"), shown(&view, &on.estimate));
+            let direct = context.direct_light(&loaded, backend, &view)?;
+            let materials = view.points(PointLayout::Material);
+            let reflected = bleeding::reflected(&materials, &on.estimate);
+            row.add(format!("frame {index}"), view.lit(&reflected, &direct));
         }
     }
     let triangles = scene
@@ -112,11 +114,6 @@ fn difference(a: &Estimate, b: &Estimate) -> f64 {
 fn same(backend: Backend, worst: f64) -> Trial {
     let what = "sequence: largest difference from a new session, over the mean";
     Trial::less_by(what, backend, (worst, SAME), 0.0)
-}
-
-fn shown(view: &View, irradiance: &Estimate) -> crate::domain::image::HdrImage {
-    let materials = view.points(PointLayout::Material);
-    view.lit(&bleeding::reflected(&materials, irradiance))
 }
 
 /// Sponza with a camera in its nave, or the cave in its place.

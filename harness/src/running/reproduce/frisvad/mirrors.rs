@@ -27,9 +27,13 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
     let loaded = context.load(&ExperimentScene::of("cave"), &mut finding)?;
     let mut views = Vec::new();
     for (name, mirrors) in SHOWN {
-        views.push((name, look(context, &loaded, mirrors)?));
+        let view = look(context, &loaded, mirrors)?;
+        // The same for all: only indirect light is compared.
+        let direct = context.direct_light(&loaded, Backend::Cpu, &view)?;
+        views.push((name, view, direct));
     }
     let (direct, included) = (&views[0].1, &views[2].1);
+    let under_included = &views[2].2;
     // Where only light in mirrors makes the difference.
     let plain = direct.surfaces();
     let mirrored = included.surfaces().into_iter().enumerate();
@@ -40,7 +44,7 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
     let points = included.points(Quantity::Irradiance.layout());
     let mut references = context.references(&loaded, Quantity::Irradiance, &points);
     let truth = references.truth();
-    let reference = lit(included, &truth.values);
+    let reference = lit((included, under_included), &truth.values);
     let materials = included.points(PointLayout::Material);
     let error = included.image(&reflected(&materials, &truth.error));
     let (values, errors) = (reference.to_estimate(), error.to_estimate());
@@ -57,9 +61,9 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
         // Few samples are too dark in mirrors and beside them alike.
         let plain = shoot(context, &loaded, (included, backend), &mut finding)?;
         let factor = everywhere.factor(&plain);
-        for (name, view) in &views {
+        for (name, view, direct) in &views {
             let light = shoot(context, &loaded, (view, backend), &mut finding)?;
-            let image = lit(view, &scaled(&light, factor));
+            let image = lit((view, direct), &scaled(&light, factor));
             let error = judge.error(&image.to_estimate());
             finding.measure((*name, "MSE / mean² in mirrors"), backend, error, "");
             let shaded = Amount::exact(view.points(PointLayout::Surface).len() as f64);
@@ -116,8 +120,9 @@ fn shoot(
     Ok(measured.estimate)
 }
 
-fn lit(view: &View, irradiance: &Estimate) -> HdrImage {
-    view.lit(&reflected(&view.points(PointLayout::Material), irradiance))
+fn lit((view, direct): (&View, &Estimate), irradiance: &Estimate) -> HdrImage {
+    let materials = view.points(PointLayout::Material);
+    view.lit(&reflected(&materials, irradiance), direct)
 }
 
 #[cfg(test)]

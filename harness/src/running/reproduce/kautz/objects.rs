@@ -57,7 +57,13 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
             finding.judge("C2", [sooner]);
             if first {
                 row.add("nine harmonics", view.image(&measured.estimate));
-                lit.add("harmonics and mip level", view.lit(&both.estimate));
+                lit.add(
+                    "harmonics and mip level",
+                    view.lit(
+                        &both.estimate,
+                        &context.direct_light(&loaded, backend, &view)?,
+                    ),
+                );
             }
             finding.runs.extend([measured.run, both.run, slow.run]);
         }
