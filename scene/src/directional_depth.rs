@@ -14,6 +14,13 @@ pub struct DirectionalDepthSpec {
     pub slope_scaled: bool,
 }
 
+/// Parts of a texel that a drawn point's place is rounded to: the usual precision of rasterisers.
+const SUBTEXELS: f64 = 256.0;
+
+/// The coordinate that points beside a map are drawn at: nothing lies beside the sphere, so that the
+/// border is empty.
+const INSIDE: f64 = 0.9999;
+
 /// A sphere in metres.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BoundingSphere {
@@ -99,10 +106,35 @@ impl DepthMap {
     /// Depth of a position, and the map's at the texel that holds it.
     pub fn depths(&self, position: Vec3) -> [f32; 2] {
         let p = self.frame.project(position);
-        let size = f64::from(self.size);
-        let texel = |s: f64| ((s * 0.5 + 0.5) * size).clamp(0.0, size - 0.5) as usize;
-        let index = texel(p.y) * self.size as usize + texel(p.x);
-        [p.z as f32, self.depth[index]]
+        [
+            p.z as f32,
+            self.depth[self.index([p.x, p.y].map(|s| self.texels(s)))],
+        ]
+    }
+
+    /// Whether a point that is drawn here passes the depth test, less or equal, as an occlusion query
+    /// counts it: drawn with its place rounded to a 256th of a texel, inside the image, its depth
+    /// less by `margin`.
+    pub fn shows(&self, position: Vec3, margin: f32) -> bool {
+        let p = self.frame.project(position);
+        let snapped = |s: f64| {
+            let inside = s.clamp(-INSIDE, INSIDE);
+            (self.texels(inside) * SUBTEXELS).round() / SUBTEXELS
+        };
+        let first = self.depth[self.index([p.x, p.y].map(snapped))];
+        (p.z as f32 - margin).max(0.0) <= first
+    }
+
+    /// A column or row coordinate in [−1, 1] in texels.
+    fn texels(&self, s: f64) -> f64 {
+        (s * 0.5 + 0.5) * f64::from(self.size)
+    }
+
+    /// Where the texel at this column and row is.
+    fn index(&self, place: [f64; 2]) -> usize {
+        let last = f64::from(self.size) - 0.5;
+        let [column, row] = place.map(|texels| texels.clamp(0.0, last) as usize);
+        row * self.size as usize + column
     }
 }
 

@@ -46,9 +46,10 @@ impl Seen<'_> {
     }
 }
 
-/// On the vertices of a built-in shape or a model from a file, in 18 directions: occlusion queries and depth maps decide alike but
-/// where a drawn point, snapped to a 256th of a texel, falls into the next one, and both as rays do but where a texel is too
-/// coarse: along silhouettes and in grazing light.
+/// On the vertices of a built-in shape or a model from a file, in 18 directions: occlusion queries and
+/// depth maps decide alike but where a drawn point, rounded to a 256th of a texel, falls into the next
+/// one, the backends too but where rounding decides, and all as rays do but where a texel is too coarse:
+/// along silhouettes and in grazing light.
 pub(super) fn ways_agree(context: &Arc<GpuContext>, model: &Path) -> Outcome {
     let scene = open(&SceneRequest {
         receivers: vec![model.to_string_lossy().into_owned()],
@@ -79,7 +80,8 @@ pub(super) fn ways_agree(context: &Arc<GpuContext>, model: &Path) -> Outcome {
     let rays = bits(&cpu, &*method("rays")?, &points)?;
     let maps = bits(&cpu, &*method("depth_map")?, &points)?;
     let gpu_maps = bits(&gpu, &*method("depth_map")?, &points)?;
-    let queries = bits(&gpu, &*method("queries")?, &points)?;
+    let queries = bits(&cpu, &*method("queries")?, &points)?;
+    let gpu_queries = bits(&gpu, &*method("queries")?, &points)?;
     let count = DIRECTIONS[level];
     println!("{} points, {count} directions", points.len());
     for (name, a, b, apart_max, blunt_max) in [
@@ -87,10 +89,13 @@ pub(super) fn ways_agree(context: &Arc<GpuContext>, model: &Path) -> Outcome {
         (
             "GPU depth maps and queries",
             &gpu_maps,
-            &queries,
+            &gpu_queries,
             1e-3,
             1e-3,
         ),
+        ("CPU depth maps and queries", &maps, &queries, 1e-3, 1e-3),
+        ("CPU and GPU queries", &queries, &gpu_queries, 2e-3, 1e-3),
+        ("queries and rays", &queries, &rays, 3e-2, 1.5e-2),
         ("depth maps and rays", &maps, &rays, 3e-2, 1.5e-2),
     ] {
         let [apart, grazing, all] = seen.apart(a, b);
