@@ -161,4 +161,30 @@ mod tests {
             );
         }
     }
+
+    /// A point passes where its depth is that of the map or less, and before its place by the margin;
+    /// it is looked up in the texel that its place, rounded to a 256th, lies in; beside the map in the
+    /// border.
+    #[test]
+    fn a_drawn_point_is_tested_in_its_rounded_place() {
+        let sphere = BoundingSphere {
+            centre: Vec3::ZERO,
+            radius: 1.0,
+        };
+        let frame = DirectionalFrame::new(sphere, Vec3::Y);
+        let mut map = DepthMap::new(frame, 4);
+        // Columns 0 and 1 hold a plane at a depth of ½, through the centre.
+        for (i, depth) in map.depth.iter_mut().enumerate() {
+            *depth = if i % 4 < 2 { 0.5 } else { 1.0 };
+        }
+        let at = |s: f32, height: f32| frame.right * s + Vec3::Y * height;
+        assert!(map.shows(at(-0.2, 0.0), 0.0) && map.shows(at(-0.2, 0.1), 0.0));
+        assert!(!map.shows(at(-0.2, -0.1), 0.0));
+        assert!(map.shows(at(-0.2, -0.1), 0.06) && !map.shows(at(-0.2, -0.1), 0.04));
+        assert!(map.shows(at(0.2, -0.1), 0.0));
+        // A texel is ½ wide: 1/600 of one before the border is rounded to it, 1/300 is not.
+        assert!(map.shows(at(-0.5 / 600.0, -0.1), 0.0));
+        assert!(!map.shows(at(-0.5 / 300.0, -0.1), 0.0));
+        assert!(map.shows(at(5.0, -0.5), 0.0) && !map.shows(at(-5.0, -0.5), 0.0));
+    }
 }

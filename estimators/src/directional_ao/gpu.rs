@@ -7,7 +7,9 @@ use super::{DirectionalAo, Visibility, environment, least_cosine, record_names, 
 use crate::{Estimator, EstimatorError, Frame, Gpu, Kernels, Records, Unsupported};
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
-use interreflect_gpu::{Binding, GpuContext, GpuDepthMaps, Kernel, Shader, wgsl, workgroup_grid};
+use interreflect_gpu::{
+    Binding, GpuContext, GpuDepthMaps, Kernel, QUERIED_AT_ONCE, Shader, wgsl, workgroup_grid,
+};
 use interreflect_scene::LANES;
 
 const VISIBILITY: Shader = Shader {
@@ -165,10 +167,6 @@ fn light(directions: &[Vec3], values: &[[f32; 3]], (stride, least): (usize, f32)
     light
 }
 
-/// Points that occlusion queries are made for at a time: the answers of a batch of directions take a
-/// mebibyte.
-const POINTS_AT_ONCE: usize = 1 << 12;
-
 impl DirectionalAo {
     /// Records the looks along the directions of a step, of which `towards` has all: as many at a time
     /// as there are depth maps.
@@ -200,7 +198,7 @@ impl DirectionalAo {
                 _ => None,
             };
             let at_once = match (&rendered, self.visibility) {
-                (Some(_), Visibility::Queries) => POINTS_AT_ONCE,
+                (Some(_), Visibility::Queries) => QUERIED_AT_ONCE,
                 _ => step.points.len(),
             };
             for (i, points) in step.points.chunks(at_once).enumerate() {

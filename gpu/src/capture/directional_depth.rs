@@ -11,8 +11,8 @@ use std::sync::Arc;
 /// Depth maps that are there at a time: as many as a word has bits.
 pub const DEPTH_MAPS_AT_ONCE: u32 = 32;
 
-/// Queries in one set, WebGPU's limit.
-const QUERIES_AT_ONCE: usize = 4096;
+/// Points that are queried at a time: as many as a set has queries, WebGPU's limit.
+pub const QUERIED_AT_ONCE: usize = 4096;
 
 /// Queries that are recorded before the device answers them: each takes some hundred bytes on the host
 /// until then.
@@ -206,9 +206,9 @@ impl GpuDirectionalDepths {
     /// Answers of occlusion queries: for each map after the other, for each point of a list a 64-bit
     /// count of samples that passed, of which only zero or not is meant.
     ///
-    /// The points, indices among all, are drawn one by one, nearer by a depth of `margin`, against the
-    /// first maps, so many as were recorded last; `frames` is what recording them returned. Queries are
-    /// submitted and waited for in batches, so that their number is limited by patience alone.
+    /// The points, at most [`QUERIED_AT_ONCE`] indices among all, are drawn one by one, nearer by a
+    /// depth of `margin`, against the first maps, so many as were recorded last; `frames` is what
+    /// recording them returned. Queries are submitted and waited for in batches.
     ///
     /// # Errors
     /// [`GpuError`] if the device refuses.
@@ -238,31 +238,28 @@ impl GpuDirectionalDepths {
             .create_query_set(&wgpu::QuerySetDescriptor {
                 label: Some("occlusion"),
                 ty: wgpu::QueryType::Occlusion,
-                count: QUERIES_AT_ONCE as u32,
+                count: QUERIED_AT_ONCE as u32,
             });
-        let resolved = context.query_room(QUERIES_AT_ONCE as u32)?;
-        let (mut offset, mut pending) = (0, 0);
+        let resolved = context.query_room(QUERIED_AT_ONCE as u32)?;
+        let count = list.len() as u32;
+        let bytes = 8 * u64::from(count);
+        let mut pending = 0;
         for (layer, view) in (0..maps_count).zip(&maps.layers) {
-            for list in list.chunks(QUERIES_AT_ONCE) {
-                let count = list.len() as u32;
-                let mut pass = depth_pass(cx, view, wgpu::LoadOp::Load, Some(&set));
-                drawing.bind(&mut pass);
-                for (i, &point) in (0..).zip(list) {
-                    pass.begin_occlusion_query(i);
-                    pass.draw(point..point + 1, layer..layer + 1);
-                    pass.end_occlusion_query();
-                }
-                drop(pass);
-                let bytes = u64::from(count) * 8;
-                let encoder = cx.encoder();
-                encoder.resolve_query_set(&set, 0..count, &resolved, 0);
-                encoder.copy_buffer_to_buffer(&resolved, 0, &answers, offset, bytes);
-                offset += bytes;
-                pending += list.len();
-                if pending >= QUERIES_PENDING {
-                    cx.finish_pending()?;
-                    pending = 0;
-                }
+            let mut pass = depth_pass(cx, view, wgpu::LoadOp::Load, Some(&set));
+            drawing.bind(&mut pass);
+            for (i, &point) in (0..).zip(list) {
+                pass.begin_occlusion_query(i);
+                pass.draw(point..point + 1, layer..layer + 1);
+                pass.end_occlusion_query();
+            }
+            drop(pass);
+            let encoder = cx.encoder();
+            encoder.resolve_query_set(&set, 0..count, &resolved, 0);
+            encoder.copy_buffer_to_buffer(&resolved, 0, &answers, u64::from(layer) * bytes, bytes);
+            pending += list.len();
+            if pending >= QUERIES_PENDING {
+                cx.finish_pending()?;
+                pending = 0;
             }
         }
         Ok(answers)

@@ -5,12 +5,9 @@ mod filtered;
 mod rigid;
 mod ways;
 
-use crate::ensure;
 use crate::test_scenes::{TEST_SCENES, TestScene, same_bits};
-use crate::variants::{CPU, Outcome, configured, cpu_scene, gpu_scene, ignored, on_gpu};
-use glam::Quat;
+use crate::variants::{Outcome, configured, cpu_scene, gpu_scene, ignored, on_gpu};
 use interreflect::view::{Look, Mirrors, ShadedAt, View};
-use interreflect_cpu::scene::CpuScene;
 use interreflect_estimators::execution::BackendScene;
 use interreflect_estimators::{Changed, Quantity, Records};
 use interreflect_scene::{Camera, Estimate, PointLayout, Points};
