@@ -32,9 +32,9 @@ frame() {
 }
 
 for filter in triangles vertices; do
-    frame "estimators/src/directional_ao/filter-$filter.png" SCENE \
+    frame "estimators/src/directional_ao/filter-$filter.png" dragons --receiver torus \
         --estimator directional_ao --quantity ambient_occlusion --shade-at vertices \
-        --width 256 --height 256 --set directional_ao.filter="$filter"
+        --width 256 --height 256 --set filter="$filter" --set scene.ground.cells=12
 done
 
 # The picture of each method's limits, as the method says.
