@@ -20,6 +20,23 @@ figure() {
 figure harness/figure/cornell-box.png cornell-box irradiance --points 5600 \
     --estimator classic_envmap --estimator localized_cubemap
 
+# frame FILE SCENE ARGUMENT…: the first frame of a sequence
+frame() {
+    file=$1
+    shift
+    rm -rf "$out/frames"
+    "${CARGO:-cargo}" run --quiet --release --package interreflect -- render "$@" --frames 1 \
+        --out "$out/frames" >/dev/null
+    cp "$out"/frames/*.png "$file"
+    echo "$file"
+}
+
+for filter in triangles vertices; do
+    frame "estimators/src/directional_ao/filter-$filter.png" dragons --receiver torus \
+        --estimator directional_ao --quantity ambient_occlusion --shade-at vertices \
+        --width 256 --height 256 --set filter="$filter" --set scene.ground.cells=12
+done
+
 # The picture of each method's limits, as the method says.
 "${CARGO:-cargo}" run --quiet --release --package interreflect -- list --figures |
     while read -r id scene quantity settings; do

@@ -5,7 +5,7 @@ use crate::captures::Captures;
 use crate::configured::Configured;
 use crate::error::{EstimatorError, Unsupported};
 use crate::quantity::Quantity;
-use glam::Vec3;
+use glam::{Quat, Vec3};
 use interreflect_cpu::tiles::TileKernel;
 use interreflect_gpu::{Binding, GpuContext};
 use interreflect_scene::{
@@ -50,13 +50,16 @@ impl BitOr for Changed {
     }
 }
 
-/// Triangles whose corners are shading points, and those of them that the camera sees.
+/// Triangles whose corners are shading points, and what the camera sees of both.
 #[derive(Clone, Copy, Debug)]
 pub struct VisibleTriangles<'a> {
     /// The points at each triangle's corners.
     pub triangles: &'a [[u32; 3]],
     /// The triangles that some pixel of this frame shows.
     pub visible: &'a [u32],
+    /// The points that the camera sees themselves: in the image, with nothing before them. A visible
+    /// triangle can have hidden corners.
+    pub visible_points: &'a [u32],
 }
 
 /// What stays the same over the frames of one method in one scene.
@@ -123,6 +126,10 @@ pub struct Inputs<'a, B: Backend> {
     pub changed: Changed,
     /// What the camera sees of the points, where they are vertices.
     pub visible: Option<VisibleTriangles<'a>>,
+    /// Where all surfaces and points are one rigid body in every frame of the session, how it is
+    /// turned in this one, from rest: places and normals changed by this rotation and a translation
+    /// alone. `None` where nothing of the kind is known.
+    pub rigid_rotation: Option<Quat>,
     /// Milliseconds that the last frame took, its `prepare` and `shade` among them, in a sequence of
     /// frames.
     pub last_frame_ms: Option<f64>,
@@ -146,6 +153,7 @@ impl<'a, B: Backend> Inputs<'a, B> {
             scene: request.scene,
             changed,
             visible: None,
+            rigid_rotation: None,
             last_frame_ms: None,
         }
     }

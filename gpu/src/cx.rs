@@ -44,8 +44,18 @@ impl GpuCx {
     /// Submits what is recorded and goes on: later commands, and later [`GpuContext::write`]s, run
     /// after it. The recorded time goes on too.
     pub fn split(&mut self) {
+        self.submit();
+    }
+
+    /// As [`Self::split`], and waits until all of it has run, so that nothing of it stays in memory.
+    pub(crate) fn finish_pending(&mut self) -> Result<(), GpuError> {
+        let submission = self.submit();
+        self.context.wait(submission)
+    }
+
+    fn submit(&mut self) -> wgpu::SubmissionIndex {
         let done = std::mem::replace(&mut self.encoder, open(&self.context));
-        self.context.queue().submit([done.finish()]);
+        self.context.queue().submit([done.finish()])
     }
 }
 

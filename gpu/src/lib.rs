@@ -29,7 +29,7 @@ pub mod wgsl;
 pub use adapter::{AdapterInfo, adapters};
 pub use capture::cube::capture_cube;
 pub use capture::directional_depth::{
-    DEPTH_MAPS_AT_ONCE, GpuDepthMaps, GpuDirectionalDepths, GpuOccluders, MAX_QUERIES,
+    DEPTH_MAPS_AT_ONCE, GpuDepthMaps, GpuDirectionalDepths, GpuOccluders, QUERIED_AT_ONCE,
 };
 pub use capture::rsm::{MAX_MIRRORED_TRIANGLES, capture_rsms};
 pub use coarse::GpuCoarseIrradiance;

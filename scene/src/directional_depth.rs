@@ -14,6 +14,13 @@ pub struct DirectionalDepthSpec {
     pub slope_scaled: bool,
 }
 
+/// Parts of a texel that a drawn point's place is rounded to: the usual precision of rasterisers.
+const SUBTEXELS: f64 = 256.0;
+
+/// The coordinate that points beside a map are drawn at: nothing lies beside the sphere, so that the
+/// border is empty.
+const INSIDE: f64 = 0.9999;
+
 /// A sphere in metres.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BoundingSphere {
@@ -99,10 +106,35 @@ impl DepthMap {
     /// Depth of a position, and the map's at the texel that holds it.
     pub fn depths(&self, position: Vec3) -> [f32; 2] {
         let p = self.frame.project(position);
-        let size = f64::from(self.size);
-        let texel = |s: f64| ((s * 0.5 + 0.5) * size).clamp(0.0, size - 0.5) as usize;
-        let index = texel(p.y) * self.size as usize + texel(p.x);
-        [p.z as f32, self.depth[index]]
+        [
+            p.z as f32,
+            self.depth[self.index([p.x, p.y].map(|s| self.texels(s)))],
+        ]
+    }
+
+    /// Whether a point that is drawn here passes the depth test, less or equal, as an occlusion query
+    /// counts it: drawn with its place rounded to a 256th of a texel, inside the image, its depth
+    /// less by `margin`.
+    pub fn shows(&self, position: Vec3, margin: f32) -> bool {
+        let p = self.frame.project(position);
+        let snapped = |s: f64| {
+            let inside = s.clamp(-INSIDE, INSIDE);
+            (self.texels(inside) * SUBTEXELS).round() / SUBTEXELS
+        };
+        let first = self.depth[self.index([p.x, p.y].map(snapped))];
+        (p.z as f32 - margin).max(0.0) <= first
+    }
+
+    /// A column or row coordinate in [−1, 1] in texels.
+    fn texels(&self, s: f64) -> f64 {
+        (s * 0.5 + 0.5) * f64::from(self.size)
+    }
+
+    /// Where the texel at this column and row is.
+    fn index(&self, place: [f64; 2]) -> usize {
+        let last = f64::from(self.size) - 0.5;
+        let [column, row] = place.map(|texels| texels.clamp(0.0, last) as usize);
+        row * self.size as usize + column
     }
 }
 
@@ -128,5 +160,31 @@ mod tests {
                 "{above}"
             );
         }
+    }
+
+    /// A point passes where its depth is that of the map or less, and before its place by the margin;
+    /// it is looked up in the texel that its place, rounded to a 256th, lies in; beside the map in the
+    /// border.
+    #[test]
+    fn a_drawn_point_is_tested_in_its_rounded_place() {
+        let sphere = BoundingSphere {
+            centre: Vec3::ZERO,
+            radius: 1.0,
+        };
+        let frame = DirectionalFrame::new(sphere, Vec3::Y);
+        let mut map = DepthMap::new(frame, 4);
+        // Columns 0 and 1 hold a plane at a depth of ½, through the centre.
+        for (i, depth) in map.depth.iter_mut().enumerate() {
+            *depth = if i % 4 < 2 { 0.5 } else { 1.0 };
+        }
+        let at = |s: f32, height: f32| frame.right * s + Vec3::Y * height;
+        assert!(map.shows(at(-0.2, 0.0), 0.0) && map.shows(at(-0.2, 0.1), 0.0));
+        assert!(!map.shows(at(-0.2, -0.1), 0.0));
+        assert!(map.shows(at(-0.2, -0.1), 0.06) && !map.shows(at(-0.2, -0.1), 0.04));
+        assert!(map.shows(at(0.2, -0.1), 0.0));
+        // A texel is ½ wide: 1/600 of one before the border is rounded to it, 1/300 is not.
+        assert!(map.shows(at(-0.5 / 600.0, -0.1), 0.0));
+        assert!(!map.shows(at(-0.5 / 300.0, -0.1), 0.0));
+        assert!(map.shows(at(5.0, -0.5), 0.0) && !map.shows(at(-5.0, -0.5), 0.0));
     }
 }

@@ -1,6 +1,6 @@
 //! What the method claims.
 
-use super::{DIRECTIONS, DirectionalAo};
+use super::{BelowHorizon, DIRECTIONS, DirectionalAo};
 use crate::{Answers, Claim, Quantity};
 use interreflect_scene::params::Fidelity;
 use std::f64::consts::PI;
@@ -12,23 +12,29 @@ pub(super) fn claims(params: &DirectionalAo, quantity: Quantity) -> Vec<Claim> {
         Fidelity::Published => [0.16, 0.08, 0.055, 0.03, 0.022],
         Fidelity::Corrected => [0.16, 0.08, 0.033, 0.01, 0.003],
     }[params.level as usize];
-    let mut claims = vec![
+    let bounded = Claim::Bounded {
+        by: 1.0 + open,
+        cause: "how well the directions integrate a cosine",
+    };
+    let mut claims = vec![bounded, Claim::ScaleInvariant, Claim::TranslationInvariant];
+    if quantity == Quantity::Irradiance {
+        claims.push(Claim::Linear);
+    }
+    // With its sign a direction below the horizon takes away what one above it gives: the sum over an
+    // open sphere is 0.
+    if params.below_horizon == BelowHorizon::Signed {
+        return claims;
+    }
+    claims.extend([
         Claim::NonNegative,
-        Claim::Bounded {
-            by: 1.0 + open,
-            cause: "how well the directions integrate a cosine",
-        },
-        Claim::ScaleInvariant,
-        Claim::TranslationInvariant,
         Claim::Meets {
             answers: Answers::Uniform,
             within: open,
             cause: "how well the directions integrate a cosine",
         },
-    ];
-    match quantity {
-        Quantity::Irradiance => claims.push(Claim::Linear),
-        _ => claims.extend([
+    ]);
+    if quantity == Quantity::AmbientOcclusion {
+        claims.extend([
             Claim::MonotoneInOccluders,
             Claim::Meets {
                 answers: Answers::Openness,
@@ -38,7 +44,7 @@ pub(super) fn claims(params: &DirectionalAo, quantity: Quantity) -> Vec<Claim> {
                 within: open + 6.0 * (4.0 / k) * (0.5 * (PI * k).sqrt()).sqrt() / 12f64.sqrt(),
                 cause: "directions along the border between open and occluded",
             },
-        ]),
+        ]);
     }
     claims
 }

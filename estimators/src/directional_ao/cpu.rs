@@ -3,8 +3,10 @@
 use super::environment::Blurred;
 use super::math::{open_cosine, passes};
 use super::progress::{Progress, Step, WORD, by_words, words};
-use super::sphere::directions;
-use super::{DirectionalAo, Visibility, environment, record_names, values};
+use super::{
+    BelowHorizon, DirectionalAo, MAX_LEVEL, Visibility, environment, least_cosine, record_names,
+    values,
+};
 use crate::{Cpu, Estimator, EstimatorError, Frame, Inputs, Prepared, Records, Unsupported};
 use glam::Vec3;
 use interreflect_cpu::capture::directional_depth::DirectionalDepths;
@@ -26,20 +28,15 @@ pub struct Openness {
 struct Light {
     towards: Vec<Vec3>,
     values: Vec<[f32; 3]>,
+    /// What a cosine counts at least.
+    least: f32,
 }
 
 impl Estimator<Cpu> for DirectionalAo {
     type Prepared = Openness;
 
     fn supports(&self, _caps: &()) -> Result<(), Unsupported> {
-        match self.visibility {
-            Visibility::Queries => Err(Unsupported(
-                "directional_ao: occlusion queries are the GPU's; use visibility=depth_map or rays \
-                 on the CPU"
-                    .into(),
-            )),
-            Visibility::DepthMap | Visibility::Rays => Ok(()),
-        }
+        Ok(())
     }
 
     fn prepare(
@@ -58,16 +55,19 @@ impl Estimator<Cpu> for DirectionalAo {
             bits.clear();
             bits.resize(stride * words(self.level), 0);
         }
-        let source = Source::new(self, frame)?;
+        let towards = begun.directions(MAX_LEVEL);
         for step in &begun.steps {
-            let looked = || look(&mut bits, stride, step, points, &source);
+            let source = Source::new(self, frame)?;
+            let looked = || look(&mut bits, stride, (step, &towards), points, &source);
             frame.cx.install(looked);
         }
+        let towards = begun.directions(begun.level);
         let light = environment(frame)?;
-        let values = || values(self, begun.level, light, &mut blurred);
+        let values = || values(self, (begun.level, &towards), light, &mut blurred);
         let light = Light {
             values: frame.cx.install(values),
-            towards: directions(begun.level),
+            towards,
+            least: least_cosine(self),
         };
         Ok(Openness {
             progress,
@@ -101,18 +101,24 @@ impl Prepared<Cpu> for Openness {
 enum Source<'a> {
     /// Nothing occludes.
     Open,
-    /// Depth maps, and how far behind them a point may lie.
-    Maps(&'a DirectionalDepths, f32),
-    /// Rays.
-    Rays(&'a CpuScene),
+    /// Depth maps, how far behind them a point may lie, and whether it is tested as it is drawn.
+    Maps(&'a DirectionalDepths, f32, bool),
+    /// Rays, and whether below the horizon too.
+    Rays(&'a CpuScene, bool),
 }
 
 impl<'a> Source<'a> {
     fn new(method: &DirectionalAo, inputs: &Inputs<'a, Cpu>) -> Result<Self, EstimatorError> {
         Ok(match (inputs.scene.occluders, method.visibility) {
             (false, _) => Self::Open,
-            (true, Visibility::Rays) => Self::Rays(inputs.light_transport()?),
-            (true, _) => Self::Maps(inputs.depths(&method.depths())?, method.margin()),
+            (true, Visibility::Rays) => {
+                let below = method.below_horizon == BelowHorizon::Signed;
+                Self::Rays(inputs.light_transport()?, below)
+            }
+            (true, visibility) => {
+                let drawn = visibility == Visibility::Queries;
+                Self::Maps(inputs.depths(&method.depths())?, method.margin(), drawn)
+            }
         })
     }
 
@@ -121,20 +127,23 @@ impl<'a> Source<'a> {
         let point = |&i: &u32| all.get(i as usize);
         match self {
             Self::Open => vec![true; points.len()],
-            Self::Maps(depths, margin) => {
+            Self::Maps(depths, margin, drawn) => {
                 let map = depths.map(towards);
-                let test = |position| {
-                    let [depth, first] = map.depths(position);
-                    passes(depth, first, *margin) > 0.0
+                let test = |position| match drawn {
+                    true => map.shows(position, *margin),
+                    false => {
+                        let [depth, first] = map.depths(position);
+                        passes(depth, first, *margin) > 0.0
+                    }
                 };
                 let open = points.iter().map(point);
                 open.map(|p| p.is_some_and(|p| test(p.position))).collect()
             }
-            Self::Rays(scene) => {
+            Self::Rays(scene, below) => {
                 let objects = scene.all_objects();
                 let open = |p: interreflect_scene::Point| {
                     let (origin, direction) = (p.position.as_dvec3(), towards.as_dvec3());
-                    p.normal.dot(towards) > 0.0
+                    (*below || p.normal.dot(towards) > 0.0)
                         && !objects.occluded(origin, direction, f64::INFINITY)
                 };
                 points
@@ -148,8 +157,13 @@ impl<'a> Source<'a> {
 }
 
 /// Looks along the directions of a step; the result does not depend on the number of threads.
-fn look(bits: &mut [u32], stride: usize, step: &Step, all: &Points, source: &Source<'_>) {
-    let towards = directions(super::MAX_LEVEL);
+fn look(
+    bits: &mut [u32],
+    stride: usize,
+    (step, towards): (&Step, &[Vec3]),
+    all: &Points,
+    source: &Source<'_>,
+) {
     for range in by_words(step.directions.clone()) {
         let word = &mut bits[range.start / WORD * stride..][..stride];
         let mask = range.clone().fold(0, |mask, j| mask | 1 << (j % WORD));
@@ -179,6 +193,7 @@ impl TileKernel for Sum<'_> {
     fn shade<L: Lane>(&self, points: &PointLanes<'_, L>) -> [L; 3] {
         let n = points.vector(PointLayout::NORMAL);
         let mut sum = [L::from(0.0); 3];
+        let least = L::from(self.light.least);
         let chunks = self
             .light
             .towards
@@ -189,7 +204,7 @@ impl TileKernel for Sum<'_> {
             for (bit, (towards, value)) in towards.iter().zip(values).enumerate() {
                 let open = L::by_lane(|i| L::Scalar::from(((bits[i] >> bit) & 1) as f32));
                 let cosine = n.dot(Vector::splat(towards.to_array()));
-                let m = open_cosine(cosine, open);
+                let m = open_cosine(cosine, open, least);
                 for (sum, value) in sum.iter_mut().zip(value) {
                     *sum = *sum + m * L::from(*value);
                 }

@@ -2,12 +2,13 @@
 
 use super::environment::Blurred;
 use super::progress::{Progress, Step, WORD, by_words, words};
-use super::sphere::{DIRECTIONS, MAX_LEVEL, directions};
-use super::{DirectionalAo, Visibility, environment, record_names, values};
-use crate::{Estimator, EstimatorError, Frame, Gpu, Inputs, Kernels, Records, Unsupported};
+use super::sphere::{DIRECTIONS, MAX_LEVEL};
+use super::{DirectionalAo, Visibility, environment, least_cosine, record_names, values};
+use crate::{Estimator, EstimatorError, Frame, Gpu, Kernels, Records, Unsupported};
 use bytemuck::{Pod, Zeroable};
+use glam::Vec3;
 use interreflect_gpu::{
-    Binding, GpuContext, GpuDepthMaps, Kernel, MAX_QUERIES, Shader, wgsl, workgroup_grid,
+    Binding, GpuContext, GpuDepthMaps, Kernel, QUERIED_AT_ONCE, Shader, wgsl, workgroup_grid,
 };
 use interreflect_scene::LANES;
 
@@ -49,7 +50,8 @@ struct Batch {
     first: u32,
     count: u32,
     word: u32,
-    todo: u32,
+    first_point: u32,
+    points: u32,
     margin: f32,
 }
 
@@ -69,7 +71,8 @@ struct Direction {
 struct Light {
     count: u32,
     stride: u32,
-    pad: [u32; 2],
+    least: f32,
+    pad: u32,
     directions: [Direction; MAX_DIRECTIONS],
 }
 
@@ -111,11 +114,14 @@ impl Estimator<Gpu> for DirectionalAo {
             }
             None => context.storage_zeroed("directional_ao visibility", 4 * count as u64)?,
         };
+        let towards = begun.directions(MAX_LEVEL);
         for step in &begun.steps {
-            self.look(frame, (&mut maps, &bits, stride), step)?;
+            self.look(frame, (&mut maps, &bits, stride), (step, &towards))?;
         }
-        let values = values(self, begun.level, environment(frame)?, &mut blurred);
-        let light = light(begun.level, stride, &values);
+        let towards = begun.directions(begun.level);
+        let environment = environment(frame)?;
+        let values = values(self, (begun.level, &towards), environment, &mut blurred);
+        let light = light(&towards, &values, (stride, least_cosine(self)));
         let light = context.uniform("directional_ao light", &light)?;
         let [points, info, estimate] = frame.point_bindings();
         let bindings = [points, info, estimate, (&light).into(), (&bits).into()];
@@ -143,13 +149,14 @@ impl Kernels for Openness {
     }
 }
 
-fn light(level: u32, stride: usize, values: &[[f32; 3]]) -> Light {
+fn light(directions: &[Vec3], values: &[[f32; 3]], (stride, least): (usize, f32)) -> Light {
     let mut light = Light {
-        count: DIRECTIONS[level as usize],
+        count: directions.len() as u32,
         stride: stride as u32,
+        least,
         ..Light::zeroed()
     };
-    let directions = directions(level).into_iter().zip(values);
+    let directions = directions.iter().zip(values);
     for (slot, (towards, &value)) in light.directions.iter_mut().zip(directions) {
         *slot = Direction {
             towards: towards.to_array(),
@@ -161,17 +168,15 @@ fn light(level: u32, stride: usize, values: &[[f32; 3]]) -> Light {
 }
 
 impl DirectionalAo {
-    /// Records the looks along the directions of a step, as many at a time as there are depth maps.
+    /// Records the looks along the directions of a step, of which `towards` has all: as many at a time
+    /// as there are depth maps.
     fn look(
         &self,
         frame: &mut Frame<'_, Gpu>,
         (maps, bits, stride): (&mut Option<GpuDepthMaps>, &wgpu::Buffer, usize),
-        step: &Step,
+        (step, towards): (&Step, &[Vec3]),
     ) -> Result<(), EstimatorError> {
         let (context, gpu_points) = (frame.context().clone(), frame.points);
-        let towards = directions(MAX_LEVEL);
-        let queries = self.visibility == Visibility::Queries;
-        self.check_queries(frame, step)?;
         let depths = match frame.scene.occluders {
             true => Some(frame.depths(&self.depths())?),
             false => None,
@@ -185,56 +190,56 @@ impl DirectionalAo {
         }
         let todo = context.storage("directional_ao points", &step.points)?;
         for range in by_words(step.directions.clone()) {
-            let count = range.len() as u32;
-            let batch = Batch {
-                first: (range.start % WORD) as u32,
-                count,
-                word: (range.start / WORD * stride) as u32,
-                todo: step.points.len() as u32,
-                margin: self.margin(),
-            };
-            let batch = context.uniform("directional_ao batch", &batch)?;
-            let [points, info] = gpu_points.inputs();
-            let mut bindings = [Binding::None; 9];
-            (bindings[0], bindings[1]) = (points, info);
-            bindings[5..8].copy_from_slice(&[(&todo).into(), bits.into(), (&batch).into()]);
-            let groups = workgroup_grid(step.points.len().div_ceil(LANES));
-            let (Some(depths), Some(maps)) = (depths, maps.as_ref()) else {
-                context
-                    .kernel(&VISIBILITY, "all_open", &bindings)?
-                    .record(frame.cx, groups);
-                continue;
-            };
-            let frames = depths.record(frame.cx, maps, &towards[range])?;
-            (bindings[3], bindings[4]) = ((&frames).into(), maps.view().into());
-            let answers;
-            let entry = match queries {
-                true => {
-                    answers = depths.queries(frame.cx, maps, (&frames, count), gpu_points)?;
-                    bindings[8] = (&answers).into();
-                    "take_answers"
+            let rendered = match (depths, maps.as_ref()) {
+                (Some(depths), Some(maps)) => {
+                    let frames = depths.record(frame.cx, maps, &towards[range.clone()])?;
+                    Some((depths, maps, frames))
                 }
-                false => "look_into_maps",
+                _ => None,
             };
-            context
-                .kernel(&VISIBILITY, entry, &bindings)?
-                .record(frame.cx, groups);
+            let at_once = match (&rendered, self.visibility) {
+                (Some(_), Visibility::Queries) => QUERIED_AT_ONCE,
+                _ => step.points.len(),
+            };
+            for (i, points) in step.points.chunks(at_once).enumerate() {
+                let batch = Batch {
+                    first: (range.start % WORD) as u32,
+                    count: range.len() as u32,
+                    word: (range.start / WORD * stride) as u32,
+                    first_point: (i * at_once) as u32,
+                    points: points.len() as u32,
+                    margin: self.margin(),
+                };
+                let batch = context.uniform("directional_ao batch", &batch)?;
+                let [all, info] = gpu_points.inputs();
+                let mut bindings = [Binding::None; 9];
+                (bindings[0], bindings[1]) = (all, info);
+                bindings[5..8].copy_from_slice(&[(&todo).into(), bits.into(), (&batch).into()]);
+                let answers;
+                let entry = match &rendered {
+                    None => "all_open",
+                    Some((depths, maps, frames)) => {
+                        (bindings[3], bindings[4]) = (frames.into(), maps.view().into());
+                        match self.visibility {
+                            Visibility::Queries => {
+                                let asked = (gpu_points, points);
+                                let recorded = (*maps, frames, range.len() as u32);
+                                answers =
+                                    depths.queries(frame.cx, recorded, asked, self.margin())?;
+                                bindings[8] = (&answers).into();
+                                "take_answers"
+                            }
+                            _ => "look_into_maps",
+                        }
+                    }
+                };
+                let groups = workgroup_grid(points.len().div_ceil(LANES));
+                context
+                    .kernel(&VISIBILITY, entry, &bindings)?
+                    .record(frame.cx, groups);
+            }
         }
         Ok(())
-    }
-
-    /// A driver answers each query by itself: where there are too many, a look into the map is the way.
-    fn check_queries(&self, inputs: &Inputs<'_, Gpu>, step: &Step) -> Result<(), EstimatorError> {
-        let (points, directions) = (inputs.points.len(), step.directions.len());
-        let queries = points * directions;
-        if self.visibility != Visibility::Queries || queries <= MAX_QUERIES {
-            return Ok(());
-        }
-        Err(EstimatorError::Unsupported(Unsupported(format!(
-            "directional_ao: {points} points in {directions} directions take {queries} occlusion \
-         queries, and beyond {MAX_QUERIES} a driver answers too slowly; use visibility=depth_map, a \
-         lower level or fewer points"
-        ))))
     }
 }
 
@@ -247,7 +252,11 @@ mod tests {
 
     #[test]
     fn structs_and_constants_are_the_same() {
-        assert_layout!(VISIBILITY, Batch, [first, count, word, todo, margin]);
+        assert_layout!(
+            VISIBILITY,
+            Batch,
+            [first, count, word, first_point, points, margin]
+        );
         let direction = interreflect_gpu::layout::layout(&module(&SHADE), "Direction");
         let offsets = [
             ("towards", 0),

@@ -25,9 +25,9 @@ const FUNCTIONS: &[Leaf] = &[
     },
     Leaf {
         name: "open_cosine",
-        wgsl: "outputs[id.x] = vec4f(open_cosine(a[0], a[1]), 0.0, 0.0, 0.0);",
-        calls: over_lanes!(|a| vec![ao::open_cosine(a[0], a[1])]),
-        inputs: || grid(&[&SIGNED, &[0.0, 1.0]]),
+        wgsl: "outputs[id.x] = vec4f(open_cosine(a[0], a[1], a[2]), 0.0, 0.0, 0.0);",
+        calls: over_lanes!(|a| vec![ao::open_cosine(a[0], a[1], a[2])]),
+        inputs: || grid(&[&SIGNED, &[0.0, 1.0], &[-1.0, 0.0]]),
         tolerance: ulps(1, 1.0, "a product with 0 or 1"),
     },
 ];

@@ -15,8 +15,9 @@ pub fn passes<L: Lane>(depth: L, map_depth: L, margin: L) -> L {
     behind.select_gt(L::splat(0.0), L::splat(0.0), L::splat(1.0))
 }
 
-/// M_ij = (n_i·l_j)⁺ where the direction is open, else 0 (P5, eq. 3).
+/// M_ij = n_i·l_j where the direction is open, else 0 (P5, §3.2), but no less than `least`: −1 for M_ij
+/// as printed, 0 to let directions below the horizon count nothing.
 #[inline(always)]
-pub fn open_cosine<L: Lane>(cos_theta: L, open: L) -> L {
-    cos_theta.max(L::splat(0.0)) * open
+pub fn open_cosine<L: Lane>(cos_theta: L, open: L, least: L) -> L {
+    cos_theta.max(least) * open
 }

@@ -7,6 +7,6 @@ fn passes(depth: f32, map_depth: f32, margin: f32) -> f32 {
     return select(1.0, 0.0, behind > 0.0);
 }
 
-fn open_cosine(cos_theta: f32, open: f32) -> f32 {
-    return max(cos_theta, 0.0) * open;
+fn open_cosine(cos_theta: f32, open: f32, least: f32) -> f32 {
+    return max(cos_theta, least) * open;
 }

@@ -20,12 +20,12 @@ use crate::{
     Unsupported,
 };
 use environment::Blurred;
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 use interreflect_scene::params::Fidelity;
 use interreflect_scene::{DirectionalDepthSpec, Environment, LightPaths, Needs, SceneFacts};
 use std::f64::consts::{FRAC_1_PI, PI};
 
-pub use params::{Bias, DirectionalAo, Visibility};
+pub use params::{BelowHorizon, Bias, DirectionalAo, Filter, Visibility};
 pub use sphere::{DIRECTIONS, MAX_LEVEL, directions};
 
 impl Method for DirectionalAo {
@@ -101,6 +101,14 @@ impl DirectionalAo {
     }
 }
 
+/// The least that the cosine of an open direction counts.
+fn least_cosine(method: &DirectionalAo) -> f32 {
+    match method.below_horizon {
+        BelowHorizon::Clamped => 0.0,
+        BelowHorizon::Signed => -1.0,
+    }
+}
+
 /// The environment, where its light is asked for.
 fn environment<'a, B: Backend>(
     inputs: &Inputs<'a, B>,
@@ -110,10 +118,11 @@ fn environment<'a, B: Backend>(
 }
 
 /// What an open direction counts, times its cosine: (1/π)·w_j for openness, I_j·w_j for the irradiance
-/// of an environment (P5, the sum over M_ij). It is blurred again only if it is another image.
+/// of an environment (P5, the sum over M_ij), seen in these directions of a level. It is blurred again
+/// only if it is another image.
 fn values(
     method: &DirectionalAo,
-    level: u32,
+    (level, directions): (u32, &[Vec3]),
     environment: Option<&Environment>,
     blurred: &mut Option<Blurred>,
 ) -> Vec<[f32; 3]> {
@@ -133,9 +142,9 @@ fn values(
     let made = made.filter(|b| b.is_of(environment, method.blur_deg));
     let made = made.unwrap_or_else(|| Blurred::new(environment, method.blur_deg));
     let radiance = |towards| made.radiance(environment, towards).as_dvec3();
-    let pairs = directions(level).into_iter().zip(weights);
+    let pairs = directions.iter().zip(weights);
     let values = pairs
-        .map(|(towards, w)| rounded(radiance(towards) * w))
+        .map(|(&towards, w)| rounded(radiance(towards) * w))
         .collect();
     *blurred = Some(made);
     values

@@ -1,9 +1,10 @@
 //! What is known of which points, and what a frame adds to it.
 
-use super::sphere::{DIRECTIONS, MAX_LEVEL};
+use super::sphere::{self, DIRECTIONS, MAX_LEVEL};
 use super::worklist::Worklist;
 use super::{DirectionalAo, level};
 use crate::{Backend, Changed, Inputs};
+use glam::{Quat, Vec3};
 use std::ops::Range;
 
 /// Bits of a word, one for each direction.
@@ -25,6 +26,16 @@ pub(super) struct Begun {
     pub(super) steps: Vec<Step>,
     /// All that was known is worth nothing.
     pub(super) forget: bool,
+    /// How surfaces and points, one rigid body, are turned since what is known was found.
+    turn: Quat,
+}
+
+impl Begun {
+    /// Unit directions of a level in world space: the octahedron's, turned with the surfaces.
+    pub(super) fn directions(&self, level: u32) -> Vec<Vec3> {
+        let directions = sphere::directions(level).into_iter();
+        directions.map(|towards| self.turn * towards).collect()
+    }
 }
 
 /// What is known, kept across frames.
@@ -35,6 +46,10 @@ pub(super) struct Progress {
     level: Option<u32>,
     /// Directions that were looked along for all evaluated points.
     known: usize,
+    /// Rotation of surfaces and points when nothing was known, where they are one rigid body.
+    rotation: Option<Quat>,
+    /// Their rotation since then.
+    turn: Quat,
 }
 
 impl Progress {
@@ -50,12 +65,19 @@ impl Progress {
         method: &DirectionalAo,
         inputs: &Inputs<'_, B>,
     ) -> Begun {
-        let moved = inputs.changed.any(Changed::GEOMETRY);
-        let forget = moved || inputs.changed.any(Changed::PARAMS | Changed::POINTS);
+        let count = inputs.host_points.len();
+        let turned = self.turned(inputs.rigid_rotation.filter(|_| self.worklist.is_of(count)));
+        let moved = inputs.changed.any(Changed::GEOMETRY | Changed::POINTS);
+        let forget = inputs.changed.any(Changed::PARAMS) || (moved && turned.is_none());
         if forget {
             self.worklist.forget();
             self.known = 0;
+            self.rotation = inputs.rigid_rotation;
+            self.turn = Quat::IDENTITY;
+        } else {
+            self.turn = turned.unwrap_or(self.turn);
         }
+        let moved = forget && inputs.changed.any(Changed::GEOMETRY);
         let level = level::next(method, self.level, inputs.last_frame_ms, moved);
         self.level = Some(level);
         let known = self.known;
@@ -64,9 +86,8 @@ impl Progress {
             points: self.worklist.done(),
             directions: known..self.known,
         };
-        let seen = inputs.visible.filter(|_| method.filter);
         let new = Step {
-            points: self.worklist.take(inputs.host_points.len(), seen),
+            points: self.worklist.take(count, method.filter, inputs.visible),
             directions: 0..self.known,
         };
         let steps = [refined, new].into_iter();
@@ -75,7 +96,20 @@ impl Progress {
             level,
             steps: steps.collect(),
             forget,
+            turn: self.turn,
         }
+    }
+
+    /// How surfaces and points are turned since nothing was known, where they are a rigid body then and
+    /// now.
+    fn turned(&self, now: Option<Quat>) -> Option<Quat> {
+        let (then, now) = (self.rotation?, now?);
+        // Exactly none, where rounding would leave some.
+        Some(if then == now {
+            Quat::IDENTITY
+        } else {
+            now * then.conjugate()
+        })
     }
 }
 

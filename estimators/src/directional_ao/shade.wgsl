@@ -11,6 +11,8 @@ struct Light {
     count: u32,
     // Points in a word's run of bits.
     stride: u32,
+    // What a cosine counts at least.
+    least: f32,
     directions: array<Direction, MAX_DIRECTIONS>,
 }
 
@@ -31,7 +33,7 @@ fn shade(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: v
             bits = visibility[j / 32u * light.stride + point];
         }
         let direction = light.directions[j];
-        sum += open_cosine(dot(n, direction.towards), f32(bits & 1u)) * direction.value;
+        sum += open_cosine(dot(n, direction.towards), f32(bits & 1u), light.least) * direction.value;
         bits >>= 1u;
     }
     write_estimate(point, sum);

@@ -7,8 +7,9 @@ struct Batch {
     count: u32,
     // First word of the directions' bits.
     word: u32,
-    // Points to look at.
-    todo: u32,
+    // First and number of the points to look at, among those to do.
+    first_point: u32,
+    points: u32,
     // Depth that points may lie behind the map's.
     margin: f32,
 }
@@ -18,7 +19,7 @@ struct Batch {
 @group(0) @binding(5) var<storage, read> todo: array<u32>;
 @group(0) @binding(6) var<storage, read_write> visibility: array<u32>;
 @group(0) @binding(7) var<uniform> batch: Batch;
-// Samples that passed, as 64 bits, for each direction of the batch and point.
+// Samples that passed, as 64 bits, for each direction and point of the batch.
 @group(0) @binding(8) var<storage, read> answers: array<vec2u>;
 
 fn keep(point: u32, open: u32) {
@@ -30,10 +31,10 @@ fn keep(point: u32, open: u32) {
 @compute @workgroup_size(64)
 fn look_into_maps(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
     let index = point_index(group, groups, lane);
-    if index >= batch.todo {
+    if index >= batch.points {
         return;
     }
-    let point = todo[index];
+    let point = todo[batch.first_point + index];
     var open = 0u;
     if has_surface(point) {
         let position = point_vector(point, POSITION);
@@ -51,14 +52,14 @@ fn look_into_maps(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) 
 @compute @workgroup_size(64)
 fn take_answers(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
     let index = point_index(group, groups, lane);
-    if index >= batch.todo {
+    if index >= batch.points {
         return;
     }
-    let point = todo[index];
+    let point = todo[batch.first_point + index];
     var open = 0u;
     if has_surface(point) {
         for (var i = 0u; i < batch.count; i += 1u) {
-            open |= u32(any(answers[i * points_info.count + point] != vec2u(0u))) << i;
+            open |= u32(any(answers[i * batch.points + index] != vec2u(0u))) << i;
         }
     }
     keep(point, open);
@@ -68,7 +69,7 @@ fn take_answers(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) gr
 @compute @workgroup_size(64)
 fn all_open(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) lane: u32) {
     let index = point_index(group, groups, lane);
-    if index < batch.todo {
-        keep(todo[index], 0xffffffffu >> (32u - batch.count));
+    if index < batch.points {
+        keep(todo[batch.first_point + index], 0xffffffffu >> (32u - batch.count));
     }
 }

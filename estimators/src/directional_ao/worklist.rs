@@ -1,25 +1,26 @@
-//! Which points a frame evaluates: all of them, or those of triangles that are about to be seen for
-//! the first time (P5: the lists U of unseen triangles and T, the worklist).
+//! Which points a frame evaluates: all of them, or those that are about to be seen for the first time
+//! (P5, §4.1: the list U of what is unseen, and the worklist T).
 
+use super::Filter;
 use crate::VisibleTriangles;
 
-/// With so few unseen triangles left, the rest is evaluated at once: the lists would cost more than
-/// they save (P5: "skip it when U is small").
+/// With so small a share of U left, the rest is evaluated at once: the lists would cost more than they
+/// save (P5: "skip it when U is small").
 const SMALL: f64 = 0.01;
 
 /// What has been evaluated, kept across frames.
 #[derive(Default)]
 pub(super) struct Worklist {
     evaluated: Vec<bool>,
-    /// U: triangles that were not seen yet; `None` before the first frame that filters.
+    /// U: triangles, or vertices, that were not seen yet; `None` before the first frame that filters.
     unseen: Option<Unseen>,
     /// Points that were evaluated since the start, repetitions counted.
     pub(super) evaluations: u64,
 }
 
-/// The list U: whether each triangle is on it, and how many are.
+/// The list U: whether each triangle or vertex is on it, and how many are.
 struct Unseen {
-    triangles: Vec<bool>,
+    listed: Vec<bool>,
     count: usize,
 }
 
@@ -30,46 +31,57 @@ impl Worklist {
         self.unseen = None;
     }
 
+    /// Whether it is about so many points.
+    pub(super) fn is_of(&self, count: usize) -> bool {
+        self.evaluated.len() == count
+    }
+
     /// The points that were evaluated before this frame, in order.
     pub(super) fn done(&self) -> Vec<u32> {
         let points = (0..).zip(&self.evaluated);
         points.filter_map(|(i, done)| done.then_some(i)).collect()
     }
 
-    /// The points out of `count` that this frame has to evaluate, in order: all that were not yet,
-    /// or with `seen` those of them at corners of triangles that are seen for the first time.
-    pub(super) fn take(&mut self, count: usize, seen: Option<VisibleTriangles<'_>>) -> Vec<u32> {
+    /// The points out of `count` that this frame has to evaluate, in order: of all that were not yet,
+    /// those that the filter lets through.
+    pub(super) fn take(
+        &mut self,
+        count: usize,
+        filter: Filter,
+        seen: Option<VisibleTriangles<'_>>,
+    ) -> Vec<u32> {
         self.evaluated.resize(count, false);
-        let mut wanted = match seen {
-            Some(seen) => self.about_to_be_seen(seen),
-            None => (0..count as u32).collect(),
+        let filtered = match (filter, seen) {
+            (Filter::None, _) | (_, None) => None,
+            (Filter::Triangles, Some(seen)) => {
+                let new = self.first_seen(seen.triangles.len(), seen.visible);
+                let corners = |triangles: Vec<u32>| {
+                    let triangles = triangles.into_iter();
+                    triangles.flat_map(|t| seen.triangles[t as usize]).collect()
+                };
+                new.map(corners)
+            }
+            (Filter::Vertices, Some(seen)) => self.first_seen(count, seen.visible_points),
         };
+        let mut wanted = filtered.unwrap_or_else(|| (0..count as u32).collect());
+        wanted.sort_unstable();
         wanted.retain(|&i| !std::mem::replace(&mut self.evaluated[i as usize], true));
         self.evaluations += wanted.len() as u64;
         wanted
     }
 
-    fn about_to_be_seen(&mut self, seen: VisibleTriangles<'_>) -> Vec<u32> {
-        let all = seen.triangles.len();
+    /// Strikes off U what is visible, and returns what was still on it; `None` once U is too short to
+    /// be worth keeping.
+    fn first_seen(&mut self, all: usize, visible: &[u32]) -> Option<Vec<u32>> {
         let unseen = self.unseen.get_or_insert_with(|| Unseen {
-            triangles: vec![true; all],
+            listed: vec![true; all],
             count: all,
         });
-        let mut todo = Vec::new();
-        for &triangle in seen.visible {
-            if std::mem::take(&mut unseen.triangles[triangle as usize]) {
-                unseen.count -= 1;
-                todo.extend(seen.triangles[triangle as usize]);
-            }
-        }
-        if (unseen.count as f64) < SMALL * all as f64 {
-            unseen.triangles.fill(false);
-            unseen.count = 0;
-            todo = (0..self.evaluated.len() as u32).collect();
-        }
-        todo.sort_unstable();
-        todo.dedup();
-        todo
+        let strike = |&&i: &&u32| std::mem::take(&mut unseen.listed[i as usize]);
+        let new: Vec<u32> = visible.iter().filter(strike).copied().collect();
+        unseen.count -= new.len();
+        let short = (unseen.count as f64) < SMALL * all as f64;
+        (!short).then_some(new)
     }
 }
 
@@ -85,8 +97,9 @@ mod tests {
             let seen = VisibleTriangles {
                 triangles: &triangles,
                 visible,
+                visible_points: &[],
             };
-            worklist.take(6, Some(seen))
+            worklist.take(6, Filter::Triangles, Some(seen))
         };
         assert_eq!(frame(&[0]), [0, 1, 2]);
         assert_eq!(frame(&[0, 1]), [3]);
@@ -94,8 +107,33 @@ mod tests {
         assert_eq!(frame(&[2]), [4, 5]);
         assert_eq!(worklist.evaluations, 6);
         worklist.forget();
-        assert_eq!(worklist.take(6, None), [0, 1, 2, 3, 4, 5]);
-        assert!(worklist.take(6, None).is_empty());
+        assert_eq!(
+            worklist.take(6, Filter::Triangles, None),
+            [0, 1, 2, 3, 4, 5]
+        );
+        assert!(worklist.take(6, Filter::Triangles, None).is_empty());
+    }
+
+    /// By vertices a corner that is hidden itself waits, whatever triangle of it is visible; without a
+    /// filter nothing does.
+    #[test]
+    fn hidden_corners_wait_where_vertices_are_filtered() {
+        let seen = VisibleTriangles {
+            triangles: &[[0, 1, 2], [1, 2, 3], [3, 4, 5]],
+            visible: &[0, 1],
+            visible_points: &[3, 1],
+        };
+        let of = |filter| Worklist::default().take(6, filter, Some(seen));
+        assert_eq!(of(Filter::Vertices), [1, 3]);
+        assert_eq!(of(Filter::Triangles), [0, 1, 2, 3]);
+        assert_eq!(of(Filter::None), [0, 1, 2, 3, 4, 5]);
+        let mut worklist = Worklist::default();
+        worklist.take(6, Filter::Vertices, Some(seen));
+        let more = VisibleTriangles {
+            visible_points: &[3, 0, 1],
+            ..seen
+        };
+        assert_eq!(worklist.take(6, Filter::Vertices, Some(more)), [0]);
     }
 
     /// After surfaces or points have moved everything that is seen is to do once more, as often as it
@@ -107,20 +145,24 @@ mod tests {
             Some(VisibleTriangles {
                 triangles: &triangles,
                 visible,
+                visible_points: &[],
             })
         };
         let mut worklist = Worklist::default();
         for before in [seen(&[0]), seen(&[0, 1, 2]), None] {
-            worklist.take(6, before);
+            worklist.take(6, Filter::Triangles, before);
             worklist.forget();
             assert!(worklist.done().is_empty());
-            assert_eq!(worklist.take(6, seen(&[0])), [0, 1, 2]);
+            assert_eq!(worklist.take(6, Filter::Triangles, seen(&[0])), [0, 1, 2]);
             assert_eq!(worklist.done(), [0, 1, 2]);
-            assert_eq!(worklist.take(6, seen(&[0, 2])), [3, 4, 5]);
+            assert_eq!(
+                worklist.take(6, Filter::Triangles, seen(&[0, 2])),
+                [3, 4, 5]
+            );
             worklist.forget();
         }
         // Other points, and fewer of them.
-        assert_eq!(worklist.take(3, seen(&[0])), [0, 1, 2]);
+        assert_eq!(worklist.take(3, Filter::Triangles, seen(&[0])), [0, 1, 2]);
     }
 
     /// Once less than a hundredth of the triangles is unseen, the rest of the points is done at once.
@@ -132,15 +174,16 @@ mod tests {
             Some(VisibleTriangles {
                 triangles: &triangles,
                 visible: &visible[..count],
+                visible_points: &[],
             })
         };
         let mut worklist = Worklist::default();
         assert_eq!(
-            worklist.take(202, seen(198)).len(),
+            worklist.take(202, Filter::Triangles, seen(198)).len(),
             200,
             "two are unseen: a hundredth"
         );
-        assert_eq!(worklist.take(202, seen(199)), [200, 201]);
+        assert_eq!(worklist.take(202, Filter::Triangles, seen(199)), [200, 201]);
         assert_eq!(worklist.evaluations, 202);
     }
 }

@@ -6,6 +6,7 @@ use crate::{
     Backend, Captures, Changed, Configured, EstimatorError, Frame, Inputs, Quantity, Records,
     Session, VisibleTriangles,
 };
+use glam::Quat;
 use interreflect_scene::{Estimate, Needs, Points};
 use std::rc::Rc;
 
@@ -22,6 +23,7 @@ pub struct Executor<'s, B: Backend> {
     points: &'s Points,
     placed: Placed<B>,
     visible: Option<VisibleTriangles<'s>>,
+    rigid_rotation: Option<Quat>,
     last_frame_ms: Option<f64>,
 }
 
@@ -89,6 +91,7 @@ impl<'s, B: Backend> Executor<'s, B> {
             points,
             placed: scene.place(points)?,
             visible: None,
+            rigid_rotation: None,
             last_frame_ms: None,
         })
     }
@@ -177,6 +180,12 @@ impl<'s, B: Backend> Executor<'s, B> {
         self.visible = visible;
     }
 
+    /// Says that all surfaces and points are one rigid body in every frame of the session, and how it
+    /// is turned in the next ones, from rest.
+    pub fn set_rigid_rotation(&mut self, rotation: Option<Quat>) {
+        self.rigid_rotation = rotation;
+    }
+
     /// Says how long the frame before took, which a method may choose its level of detail by.
     pub fn set_last_frame_ms(&mut self, ms: Option<f64>) {
         self.last_frame_ms = ms;
@@ -218,6 +227,7 @@ impl<'s, B: Backend> Executor<'s, B> {
         let points = (&self.placed.points, self.points);
         let mut inputs = Inputs::new(&self.request, &captures, points, changed);
         inputs.visible = self.visible;
+        inputs.rigid_rotation = self.rigid_rotation;
         inputs.last_frame_ms = self.last_frame_ms;
         let (session, out) = (&mut *self.session, &mut self.placed.out);
         self.scene.timed(label, &mut |cx| {

@@ -125,7 +125,11 @@ fn what_lies_behind_the_map_is_hidden() {
     assert_eq!(passes(0.5001, 0.5, 0.0), 0.0);
     assert_eq!(passes(0.55, 0.5, 0.1), 1.0);
     assert_eq!(passes(0.65, 0.5, 0.1), 0.0);
-    near(open_cosine(0.5, 1.0), 0.5);
-    near(open_cosine(0.5, 0.0), 0.0);
-    near(open_cosine(-0.5, 1.0), 0.0);
+    for least in [0.0, -1.0] {
+        near(open_cosine(0.5, 1.0, least), 0.5);
+        near(open_cosine(0.5, 0.0, least), 0.0);
+        near(open_cosine(-0.5, 0.0, least), 0.0);
+    }
+    near(open_cosine(-0.5, 1.0, 0.0), 0.0);
+    near(open_cosine(-0.5, 1.0, -1.0), -0.5);
 }

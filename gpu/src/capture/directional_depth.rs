@@ -11,12 +11,12 @@ use std::sync::Arc;
 /// Depth maps that are there at a time: as many as a word has bits.
 pub const DEPTH_MAPS_AT_ONCE: u32 = 32;
 
-/// Most occlusion queries of one recording: a driver answers each by itself, so that they cost far
-/// more than a look into the map.
-pub const MAX_QUERIES: usize = 1 << 18;
+/// Points that are queried at a time: as many as a set has queries, WebGPU's limit.
+pub const QUERIED_AT_ONCE: usize = 4096;
 
-/// Queries in one set, WebGPU's limit.
-const QUERIES_AT_ONCE: usize = 4096;
+/// Queries that are recorded before the device answers them: each takes some hundred bytes on the host
+/// until then.
+const QUERIES_PENDING: usize = 1 << 16;
 
 pub(crate) const SHADER: Shader = Shader {
     label: "directional depth maps",
@@ -203,20 +203,21 @@ impl GpuDirectionalDepths {
 }
 
 impl GpuDirectionalDepths {
-    /// Answers of occlusion queries: for each map after the other, for each point a 64-bit count of
-    /// samples that passed, of which only zero or not is meant.
+    /// Answers of occlusion queries: for each map after the other, for each point of a list a 64-bit
+    /// count of samples that passed, of which only zero or not is meant.
     ///
-    /// Points are drawn one by one against the maps that were recorded last; `frames` is what
-    /// recording them returned. `maps_count` × points must not exceed [`MAX_QUERIES`].
+    /// The points, at most [`QUERIED_AT_ONCE`] indices among all, are drawn one by one, nearer by a
+    /// depth of `margin`, against the first maps, so many as were recorded last; `frames` is what
+    /// recording them returned. Queries are submitted and waited for in batches.
     ///
     /// # Errors
     /// [`GpuError`] if the device refuses.
     pub fn queries(
         &self,
         cx: &mut GpuCx,
-        maps: &GpuDepthMaps,
-        (frames, maps_count): (&wgpu::Buffer, u32),
-        points: &GpuPoints,
+        (maps, frames, maps_count): (&GpuDepthMaps, &wgpu::Buffer, u32),
+        (points, list): (&GpuPoints, &[u32]),
+        margin: f32,
     ) -> Result<wgpu::Buffer, GpuError> {
         let context = cx.context().clone();
         let spec = RenderSpec {
@@ -227,34 +228,38 @@ impl GpuDirectionalDepths {
             buffers: &[],
             targets: &[],
         };
-        let [points_buffer, info] = points.inputs();
-        let bindings = [points_buffer, info, Binding::None, Binding::Buffer(frames)];
+        let [points, info] = points.inputs();
+        let margin = context.uniform("margin", &margin)?;
+        let bindings = [points, info, Binding::None, frames.into(), (&margin).into()];
         let drawing = Drawing::new(&context, &spec, &bindings)?;
-        let answers = context.query_answers(maps_count as usize * points.len())?;
+        let answers = context.query_answers(maps_count as usize * list.len())?;
+        let set = context
+            .device()
+            .create_query_set(&wgpu::QuerySetDescriptor {
+                label: Some("occlusion"),
+                ty: wgpu::QueryType::Occlusion,
+                count: QUERIED_AT_ONCE as u32,
+            });
+        let resolved = context.query_room(QUERIED_AT_ONCE as u32)?;
+        let count = list.len() as u32;
+        let bytes = 8 * u64::from(count);
+        let mut pending = 0;
         for (layer, view) in (0..maps_count).zip(&maps.layers) {
-            for first in (0..points.len()).step_by(QUERIES_AT_ONCE) {
-                let count = QUERIES_AT_ONCE.min(points.len() - first) as u32;
-                let set = context
-                    .device()
-                    .create_query_set(&wgpu::QuerySetDescriptor {
-                        label: Some("occlusion"),
-                        ty: wgpu::QueryType::Occlusion,
-                        count,
-                    });
-                let mut pass = depth_pass(cx, view, wgpu::LoadOp::Load, Some(&set));
-                drawing.bind(&mut pass);
-                for i in 0..count {
-                    pass.begin_occlusion_query(i);
-                    let vertex = first as u32 + i;
-                    pass.draw(vertex..vertex + 1, layer..layer + 1);
-                    pass.end_occlusion_query();
-                }
-                drop(pass);
-                let resolved = context.query_room(count)?;
-                let encoder = cx.encoder();
-                encoder.resolve_query_set(&set, 0..count, &resolved, 0);
-                let offset = (layer as usize * points.len() + first) as u64 * 8;
-                encoder.copy_buffer_to_buffer(&resolved, 0, &answers, offset, u64::from(count) * 8);
+            let mut pass = depth_pass(cx, view, wgpu::LoadOp::Load, Some(&set));
+            drawing.bind(&mut pass);
+            for (i, &point) in (0..).zip(list) {
+                pass.begin_occlusion_query(i);
+                pass.draw(point..point + 1, layer..layer + 1);
+                pass.end_occlusion_query();
+            }
+            drop(pass);
+            let encoder = cx.encoder();
+            encoder.resolve_query_set(&set, 0..count, &resolved, 0);
+            encoder.copy_buffer_to_buffer(&resolved, 0, &answers, u64::from(layer) * bytes, bytes);
+            pending += list.len();
+            if pending >= QUERIES_PENDING {
+                cx.finish_pending()?;
+                pending = 0;
             }
         }
         Ok(answers)

@@ -2,6 +2,8 @@
 // Needs the parts POINTS and DIRECTIONAL.
 
 @group(0) @binding(3) var<uniform> directions: Frames;
+// Depth that a point is drawn before its place.
+@group(0) @binding(4) var<uniform> margin: f32;
 
 fn clip_along(layer: u32, position: vec3f) -> vec4f {
     let p = project_along(directions.frames[layer], directions.centre, directions.radius, position);
@@ -23,5 +25,6 @@ fn vs_point(
 ) -> @invariant @builtin(position) vec4f {
     // Nothing lies beside the sphere: points out there are tested against its empty border.
     let clip = clip_along(layer, point_vector(index, POSITION));
-    return vec4f(clamp(clip.xy, vec2f(-0.9999), vec2f(0.9999)), clip.zw);
+    let inside = clamp(clip.xy, vec2f(-0.9999), vec2f(0.9999));
+    return vec4f(inside, max(clip.z - margin, 0.0), 1.0);
 }

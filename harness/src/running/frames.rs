@@ -2,6 +2,7 @@
 
 use crate::domain::metrics::check_finite;
 use crate::running::error::RunError;
+use glam::Quat;
 use interreflect_estimators::execution::{BackendScene, Executor, Suspended};
 use interreflect_estimators::{Backend, Changed, Configured, Quantity, VisibleTriangles};
 use interreflect_scene::motion::Moves;
@@ -33,6 +34,16 @@ pub struct Frame<'a> {
     pub points: &'a Points,
     /// What the camera sees of them, where they are vertices.
     pub visible: Option<VisibleTriangles<'a>>,
+}
+
+impl Frame<'_> {
+    /// How surfaces and points are turned where they are one rigid body: the scene's only object,
+    /// moved rigidly and shaded at its vertices, which it takes along.
+    fn rigid_rotation(&self) -> Option<Quat> {
+        self.scene
+            .rigid_rotation()
+            .filter(|_| self.visible.is_some())
+    }
 }
 
 /// A frame's estimate and the milliseconds that it took.
@@ -77,6 +88,7 @@ impl<B: Backend> Frames<B> {
             }
         };
         executor.set_visible(frame.visible);
+        executor.set_rigid_rotation(frame.rigid_rotation());
         executor.set_last_frame_ms(last_frame_ms);
         let ms = capture_ms + executor.prepare(changed)?.ms() + executor.shade()?.ms();
         let estimate = executor.read_back()?.0;

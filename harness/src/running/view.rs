@@ -22,9 +22,16 @@ pub struct View {
     pixels: Vec<Pixel>,
     /// The surface that each pixel sees, shaded or not.
     seen: Vec<Option<Point>>,
-    /// The triangles whose corners the points are, and those that some pixel shows; none where the
-    /// points are the pixels'.
-    vertices: Option<(Vec<[u32; 3]>, Vec<u32>)>,
+    /// What is seen of the points where they are vertices; none where they are the pixels'.
+    vertices: Option<SeenVertices>,
+}
+
+/// Triangles between points, and what is seen of both.
+struct SeenVertices {
+    triangles: Vec<[u32; 3]>,
+    /// Those that some pixel shows.
+    visible: Vec<u32>,
+    visible_points: Vec<u32>,
 }
 
 /// What a pixel shows.
@@ -193,15 +200,23 @@ impl View {
             resolution: camera.resolution,
             pixels,
             seen,
+            vertices: Some(SeenVertices {
+                visible_points: vertices.visible_points(scene, camera),
+                triangles: vertices.triangles,
+                visible,
+            }),
             points: vertices.points,
-            vertices: Some((vertices.triangles, visible)),
         })
     }
 
-    /// Triangles between the points and those that are seen, where the points are vertices.
+    /// Triangles between the points and what is seen of both, where the points are vertices.
     pub fn visible(&self) -> Option<VisibleTriangles<'_>> {
-        let (triangles, visible) = self.vertices.as_ref()?;
-        Some(VisibleTriangles { triangles, visible })
+        let seen = self.vertices.as_ref()?;
+        Some(VisibleTriangles {
+            triangles: &seen.triangles,
+            visible: &seen.visible,
+            visible_points: &seen.visible_points,
+        })
     }
 
     /// The smallest window [left, top, right, bottom) around all shaded pixels; the whole image if

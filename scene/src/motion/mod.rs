@@ -49,6 +49,12 @@ impl Pose {
     }
 }
 
+impl Default for Pose {
+    fn default() -> Self {
+        Self::REST
+    }
+}
+
 /// How a mesh moves: it is deformed first, then posed.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Motion {
@@ -56,12 +62,28 @@ pub struct Motion {
     pub poses: Track<Pose>,
     /// A periodic deformation.
     pub deformation: Option<Deformation>,
+    /// The pose that [`Scene::at`] gave the mesh; at rest in a scene as it was loaded.
+    pub posed: Pose,
 }
 
 impl Motion {
     /// Whether the mesh differs between any two times.
     pub fn moves(&self) -> bool {
-        self.poses.varies() || self.deformation.is_some_and(|d| d.amount != 0.0)
+        self.poses.varies() || self.deforms()
+    }
+
+    /// Whether the mesh keeps its shape and size at all times, wherever it goes.
+    pub fn is_rigid(&self) -> bool {
+        let mut scales = self.poses.keys.windows(2);
+        !self.deforms() && scales.all(|pair| pair[0].1.scale == pair[1].1.scale)
+    }
+
+    fn deforms(&self) -> bool {
+        self.deformation.is_some_and(|d| d.amount != 0.0)
+    }
+
+    fn pose(&self, time_s: f32) -> Pose {
+        self.poses.at(time_s, Pose::between).unwrap_or(Pose::REST)
     }
 
     /// The mesh at a time in seconds: the same triangles, its vertices moved and its normals, if it
@@ -87,7 +109,7 @@ impl Motion {
                 }
             }
         }
-        let pose = self.poses.at(time_s, Pose::between).unwrap_or(Pose::REST);
+        let pose = self.pose(time_s);
         if pose != Pose::REST {
             for p in &mut moved.positions {
                 *p = centre + pose.translate + pose.rotate * ((*p - centre) * pose.scale);
@@ -135,8 +157,9 @@ impl Scene {
         let time_s = if time_s.is_finite() { time_s } else { 0.0 };
         let mut scene = self.clone();
         for object in &mut scene.objects {
-            if let Some(motion) = &object.motion {
+            if let Some(motion) = &mut object.motion {
                 object.mesh = motion.of(&object.mesh, time_s);
+                motion.posed = motion.pose(time_s);
             }
         }
         for (light, motion) in scene.lights.iter_mut().zip(&self.motion.lights) {
@@ -150,6 +173,18 @@ impl Scene {
             environment.rotate_deg += turn;
         }
         scene
+    }
+
+    /// The rotation that its only object has here, from rest, where the motion of that object is
+    /// rigid: whatever moves from one time to another, its surfaces keep their places relative to
+    /// each other. `None` where there are several objects, or one that stands still or changes its
+    /// shape or size.
+    pub fn rigid_rotation(&self) -> Option<Quat> {
+        let [only] = &self.objects[..] else {
+            return None;
+        };
+        let motion = only.motion.as_ref().filter(|motion| motion.is_rigid())?;
+        Some(motion.posed.rotate)
     }
 
     /// What can change from one time to another.

@@ -25,6 +25,7 @@ fn moving() -> Scene {
                 ],
             },
             deformation: Some(Deformation::new(kind)),
+            ..Motion::default()
         });
     }
     scene.lights.push(Light::Spot {
@@ -88,6 +89,50 @@ fn what_moves_is_told() {
     let moves = moving().moves();
     assert!(moves.geometry && moves.camera && moves.lights);
     assert!(!moves.environment, "there is none");
+}
+
+/// One object that keeps its shape and size is told by its rotation; nothing else is.
+#[test]
+fn a_rigid_motion_of_the_only_object_is_told() {
+    let mut scene = open(&SceneRequest::new("studio")).unwrap();
+    assert_eq!(scene.rigid_rotation(), None, "it stands still");
+    let pose = |turn: f32| Pose {
+        translate: Vec3::X * turn,
+        rotate: Quat::from_rotation_y(turn),
+        scale: 0.5,
+    };
+    let motion = |scene: &mut Scene, poses: [Pose; 2], deformation| {
+        scene.objects[0].motion = Some(Motion {
+            poses: Track {
+                keys: vec![(0.0, poses[0]), (1.0, poses[1])],
+            },
+            deformation,
+            ..Motion::default()
+        });
+    };
+    motion(&mut scene, [pose(0.0), pose(2.0)], None);
+    // A few roundings of f32.
+    let turned = |time_s| scene.at(time_s).rigid_rotation().unwrap();
+    assert!(turned(0.5).angle_between(Quat::from_rotation_y(1.0)) < 1e-3);
+    assert_eq!(turned(1.0), Quat::from_rotation_y(2.0));
+    let larger = Pose {
+        scale: 0.6,
+        ..pose(2.0)
+    };
+    motion(&mut scene, [pose(0.0), larger], None);
+    assert_eq!(scene.at(0.5).rigid_rotation(), None, "it grows");
+    let wave = Deformation::new(DeformationKind::Wave);
+    motion(&mut scene, [pose(0.0), pose(2.0)], Some(wave));
+    assert_eq!(scene.at(0.5).rigid_rotation(), None, "it deforms");
+    let still = Deformation {
+        amount: 0.0,
+        ..wave
+    };
+    motion(&mut scene, [pose(0.0), pose(2.0)], Some(still));
+    assert!(scene.rigid_rotation().is_some());
+    let other = scene.objects[0].clone();
+    scene.objects.push(other);
+    assert_eq!(scene.rigid_rotation(), None, "there are two");
 }
 
 /// Carried normals are those of the moved surface: of a fine sphere, by its own triangles.

@@ -77,7 +77,7 @@ fn a_pose_scales_turns_and_moves_about_the_middle() {
         poses: Track {
             keys: vec![(0.0, pose)],
         },
-        deformation: None,
+        ..Motion::default()
     };
     let moved = motion.of(&mesh, 0.0);
     // 2 m to the right of the middle, three times as far, above it after the turn.
@@ -226,7 +226,7 @@ fn only_what_moves_is_told_to_move() {
             poses: Track {
                 keys: vec![(0.0, Pose::REST), (1.0, Pose::REST)],
             },
-            deformation: None,
+            ..Motion::default()
         });
         s.motion = SceneMotion {
             camera: Some(CameraMotion::Orbit { deg_per_s: 0.0 }),

@@ -24,7 +24,7 @@ const MOVING: [Moving; 4] = [
         };
         scene.objects[0].motion = Some(Motion {
             poses: track(Pose::REST, moved),
-            deformation: None,
+            ..Motion::default()
         });
     }),
     ("lights", 0, |scene| {

@@ -17,6 +17,12 @@ pub(crate) fn trials() -> Vec<Trial> {
     [
         on_both(&name("open_points"), || &*OPEN, open_points, open_points),
         on_both(&name("biases"), || &*PLANE, biases, biases),
+        on_both(
+            &name("below_horizon"),
+            || &*PLANE,
+            below_horizon,
+            below_horizon,
+        ),
         [
             Trial::test(name("closed_forms/cpu"), || {
                 closed_forms(|s| Ok(cpu_scene(s)))
@@ -143,6 +149,25 @@ fn biases<S: BackendScene>(loaded: &S, test_scene: &TestScene) -> Outcome {
     ensure!((offset - 1.0).abs() < 1e-5, "polygon offset: {offset}");
     ensure!((0.93..0.99).contains(&constant), "constant: {constant}");
     ensure!((0.45..0.55).contains(&none), "none: {none}");
+    Ok(())
+}
+
+/// A sheet occludes nothing of itself: with their sign the directions below it take away what those
+/// above give, and nothing is left but rounding; clamped they count nothing.
+fn below_horizon<S: BackendScene>(loaded: &S, test_scene: &TestScene) -> Outcome {
+    let open = open_of(loaded, test_scene)?;
+    for (setting, share) in [("signed", 0.0), ("clamped", 1.0)] {
+        let values = openness(loaded, test_scene, &[("below_horizon", setting)])?;
+        let worst = values
+            .iter()
+            .zip(&open)
+            .map(|(value, open)| (value - share * open).abs())
+            .fold(0.0, f64::max);
+        ensure!(
+            worst < 1e-5,
+            "{setting}: {worst} from {share} of an open point"
+        );
+    }
     Ok(())
 }
 

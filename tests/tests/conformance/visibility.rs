@@ -1,14 +1,13 @@
 //! Visibility: depth maps, occlusion queries and rays against each other, refined, and only where it
 //! is about to be seen.
 
+mod filtered;
+mod rigid;
 mod ways;
 
-use crate::ensure;
 use crate::test_scenes::{TEST_SCENES, TestScene, same_bits};
-use crate::variants::{CPU, Outcome, configured, cpu_scene, gpu_scene, ignored, on_gpu};
-use glam::Quat;
+use crate::variants::{Outcome, configured, cpu_scene, gpu_scene, ignored, on_gpu};
 use interreflect::view::{Look, Mirrors, Shade, ShadedAt, View};
-use interreflect_cpu::scene::CpuScene;
 use interreflect_estimators::execution::BackendScene;
 use interreflect_estimators::{Changed, Quantity, Records};
 use interreflect_scene::{Camera, Estimate, PointLayout, Points};
@@ -40,7 +39,7 @@ pub(crate) fn trials() -> Vec<Trial> {
             false => ignored(name, "the model is not there"),
         });
     }
-    let (refined, filtered) = ("visibility/refinement", "visibility/filtering");
+    let refined = "visibility/refinement";
     trials.extend([
         Trial::test(format!("{refined}/cpu"), || {
             refinement(&cpu_scene(studio()))
@@ -48,14 +47,9 @@ pub(crate) fn trials() -> Vec<Trial> {
         on_gpu(format!("{refined}/gpu"), |c| {
             refinement(&gpu_scene(c, studio())?)
         }),
-        Trial::test(format!("{filtered}/cpu"), || {
-            filtering(&cpu_scene(studio()))
-        }),
-        on_gpu(format!("{filtered}/gpu"), |c| {
-            filtering(&gpu_scene(c, studio())?)
-        }),
-        Trial::test("visibility/evaluations", evaluations),
     ]);
+    trials.extend(filtered::trials());
+    trials.extend(rigid::trials());
     trials
 }
 
@@ -112,118 +106,9 @@ fn refinement<S: BackendScene>(loaded: &S) -> Outcome {
     Ok(())
 }
 
-/// A camera that goes around: each frame has at the vertices of visible triangles what an evaluation
-/// of all vertices gives.
-fn filtering<S: BackendScene>(loaded: &S) -> Outcome {
-    let views = orbit()?;
-    let points = views[0].points(PointLayout::Surface);
-    let settings = |filter| {
-        [
-            ("level", "1"),
-            ("map_resolution", "128"),
-            ("filter", filter),
-        ]
-    };
-    let changed = |i: usize| {
-        if i == 0 {
-            Changed::ALL
-        } else {
-            Changed::NOTHING
-        }
-    };
-    let sequence = || {
-        views
-            .iter()
-            .enumerate()
-            .map(|(i, view)| (changed(i), Some(view)))
-    };
-    let all = frames(loaded, &settings("false"), &points, sequence())?;
-    let filtered = frames(loaded, &settings("true"), &points, sequence())?;
-    for (i, view) in views.iter().enumerate() {
-        let (a, b) = (view.image(&all[i]), view.image(&filtered[i]));
-        ensure!(a.pixels == b.pixels, "frame {i} has other visible vertices");
-    }
-    ensure!(
-        filtered[0].iter().zip(all[0].iter()).any(|(a, b)| a != b),
-        "vertices at the back were evaluated in the first frame too"
-    );
-    Ok(())
-}
-
 /// How many points were evaluated, by what a session shows of itself.
 fn evaluations_of(records: &[Records]) -> Result<u64, Failed> {
     let found = records.iter().find(|r| r.name == "evaluations");
     let found = found.and_then(|r| r.values.first());
     Ok(*found.ok_or("no count of evaluations")? as u64)
-}
-
-/// Six views of the studio's receiver, 15° apart.
-fn orbit() -> Result<Vec<View>, Failed> {
-    let scene: &CpuScene = &studio().cpu;
-    let camera = scene.scene().camera;
-    let views = (0..6).map(|i| {
-        let turn = Quat::from_rotation_y((15.0 * i as f32).to_radians());
-        let eye = camera.target + turn * (camera.eye - camera.target);
-        let camera = small(Camera { eye, ..camera });
-        CPU.install(|| View::new(scene, &camera, VERTICES))
-    });
-    Ok(views.collect::<Result<_, _>>()?)
-}
-
-/// With the lists no vertex is evaluated twice, only those are that were seen, and a camera that goes
-/// a quarter around leaves some untouched; without them all are evaluated in the first frame.
-fn evaluations() -> Outcome {
-    let (views, loaded) = (orbit()?, cpu_scene(studio()));
-    let points = views[0].points(PointLayout::Surface);
-    let mut seen: Vec<bool> = vec![false; points.len()];
-    let mut counts = [Vec::new(), Vec::new()];
-    for (filter, counts) in [false, true].into_iter().zip(&mut counts) {
-        let settings = [
-            ("level", "0"),
-            ("map_resolution", "64"),
-            ("filter", if filter { "true" } else { "false" }),
-        ];
-        let variant = configured("directional_ao", AO, &settings)?;
-        let mut executor = variant.executor(&loaded, &points)?;
-        for (i, view) in views.iter().enumerate() {
-            let changed = if i == 0 {
-                Changed::ALL
-            } else {
-                Changed::NOTHING
-            };
-            executor.set_visible(view.visible());
-            executor.prepare(changed)?;
-            counts.push(evaluations_of(&executor.records()?)?);
-        }
-    }
-    let mut expected = Vec::new();
-    for view in &views {
-        let visible = view.visible().ok_or("no vertices")?;
-        for &triangle in visible.visible {
-            visible.triangles[triangle as usize]
-                .iter()
-                .for_each(|&v| seen[v as usize] = true);
-        }
-        expected.push(seen.iter().filter(|s| **s).count() as u64);
-    }
-    let all = points.len() as u64;
-    println!(
-        "evaluated of {all}: {:?} without lists, {:?} with them",
-        counts[0], counts[1]
-    );
-    ensure!(
-        counts[0] == vec![all; views.len()],
-        "without lists: {:?}",
-        counts[0]
-    );
-    ensure!(
-        counts[1] == expected,
-        "with lists: {:?}, seen: {expected:?}",
-        counts[1]
-    );
-    ensure!(
-        expected[0] < all / 2 && *expected.last().unwrap_or(&0) < all,
-        "nothing to save"
-    );
-    Ok(())
 }

@@ -2,7 +2,13 @@
 
 use super::Shade;
 use glam::Vec3;
-use interreflect_scene::{Mesh, Point, Scene, SurfaceMaterial};
+use interreflect_cpu::scene::CpuScene;
+use interreflect_scene::{Camera, Mesh, Point, Scene, SurfaceMaterial};
+use rayon::prelude::*;
+
+/// Share of the distance to a vertex within which a surface lies at it, its own triangles among them:
+/// single precision places a vertex to a ten-millionth.
+const AT_VERTEX: f64 = 1e-5;
 
 /// Vertices and the triangles between them.
 pub(super) struct Vertices {
@@ -31,6 +37,23 @@ impl Vertices {
             }
         }
         all
+    }
+
+    /// Indices of the vertices that `camera` sees themselves: inside its image, and with nothing
+    /// between eye and vertex but what lies at it.
+    pub(super) fn visible_points(&self, scene: &CpuScene, camera: &Camera) -> Vec<u32> {
+        let geometry = scene.all_objects();
+        let eye = camera.eye.as_dvec3();
+        let seen = |&i: &u32| {
+            let point = self.points[i as usize];
+            point.is_some_and(|point| {
+                let towards = point.position.as_dvec3() - eye;
+                let before = towards.length() * (1.0 - AT_VERTEX);
+                camera.shows(point.position) && !geometry.occluded(eye, towards.normalize(), before)
+            })
+        };
+        let all = (0..self.points.len() as u32).into_par_iter();
+        all.filter(seen).collect()
     }
 
     fn add(&mut self, scene: &Scene, mesh: &Mesh, eye: Vec3) {

@@ -77,6 +77,7 @@ impl MeshMotionTable {
         Ok(Motion {
             poses,
             deformation: self.deformation(source)?,
+            ..Motion::default()
         })
     }
 

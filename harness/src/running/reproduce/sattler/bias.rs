@@ -82,13 +82,13 @@ fn filtered(
         camera: true,
         ..RESTING
     };
-    let method = |filter: bool| {
+    let method = |filter: &'static str| {
         context.method(
             "directional_ao",
             &[("filter", &filter), ("map_resolution", &192)],
         )
     };
-    let (plain, with_lists) = (method(false)?, method(true)?);
+    let (plain, with_lists) = (method("none")?, method("triangles")?);
     let (mut all, mut filtered) = (Sequence::default(), Sequence::default());
     let mut worst = 0.0_f64;
     let mut row = Row::plain(format!(

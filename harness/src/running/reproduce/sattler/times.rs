@@ -128,12 +128,16 @@ fn film(
     level: u32,
     way: Way,
 ) -> Result<Film, RunError> {
+    let filter = match way {
+        Way::Filtered => "triangles",
+        Way::Animated | Way::Static => "none",
+    };
     let method = context.method(
         "directional_ao",
         &[
             ("level", &level),
             ("map_resolution", &context.pick(64, 256)),
-            ("filter", &(way == Way::Filtered)),
+            ("filter", &filter),
         ],
     )?;
     Ok(Film {
