@@ -31,6 +31,14 @@ impl Amount {
         }
     }
 
+    /// The sum of two independent numbers.
+    pub fn plus(self, other: Self) -> Self {
+        Self {
+            value: self.value + other.value,
+            spread: self.spread.hypot(other.spread),
+        }
+    }
+
     /// The quotient of two independent numbers, the spreads to first order; the divisor is not 0.
     pub fn over(self, other: Self) -> Self {
         let value = self.value / other.value;
@@ -78,6 +86,11 @@ impl Trial {
     /// That `a` is smaller than `b`, each with its own uncertainty.
     pub fn less(what: impl Into<String>, backend: Backend, a: Amount, b: Amount) -> Self {
         Self::less_by(what, backend, (a.value, b.value), a.spread.hypot(b.spread))
+    }
+
+    /// Whether it compares times: their unit is the last word.
+    pub fn is_of_times(&self) -> bool {
+        self.what.ends_with(" ms")
     }
 
     /// That the first number is smaller than the second, where their difference may be off by
@@ -295,6 +308,8 @@ mod tests {
         };
         let q = a.over(b);
         assert!((q.value - 3.0).abs() < 1e-12 && (q.spread - 0.3).abs() < 1e-12);
+        let sum = a.plus(Amount { spread: 0.8, ..b });
+        assert!((sum.value - 8.0).abs() < 1e-12 && (sum.spread - 1.0).abs() < 1e-12);
         assert_eq!(Amount::exact(3.0).times(2.0), Amount::exact(6.0));
     }
 }
