@@ -25,14 +25,38 @@ enum Place {
     Wall,
     /// At a gap from the floor.
     Floor,
+    /// Half-way to the -x wall, at a gap from the ceiling.
+    Ceiling,
+}
+
+/// Where the reference point is, before its offset.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+enum Reference {
+    /// The middle of the receivers.
+    #[default]
+    Receiver,
+    /// The middle of the room, wherever the receivers are.
+    Room,
+}
+
+/// Which colour is overhead.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+enum Ceiling {
+    /// The ceiling is white, the -z wall green.
+    #[default]
+    White,
+    /// The ceiling is green, the -z wall white (P1, Figure 3).
+    Green,
 }
 
 #[derive(Clone, Debug, PartialEq, SmartDefault, Serialize, Deserialize, JsonSchema)]
 pub(super) struct Settings {
-    /// In the middle, half-way to the -x wall, or at a gap from that wall or the floor.
+    /// In the middle, half-way to the -x wall, or at a gap from that wall, the floor or the ceiling.
     #[serde(rename = "receiver.place")]
     place: Place,
-    /// Gap to the -x wall or the floor, where the receiver stands by one.
+    /// Gap to the -x wall, the floor or the ceiling, where the receiver is by one.
     #[serde(rename = "receiver.gap")]
     #[default(0.05)]
     #[schemars(range(min = 0.0, max = 1.0), extend("unit" = "m"))]
@@ -42,7 +66,10 @@ pub(super) struct Settings {
     #[default(0.6)]
     #[schemars(range(min = 0.01, max = 1.0), extend("unit" = "m"))]
     size: f32,
-    /// Distance of the reference point from the receiver's centre, along +x. At 0 the sphere's surface points and
+    /// Reference point, before its offset: the middle of the receivers, or that of the room.
+    #[serde(rename = "reference.place")]
+    reference: Reference,
+    /// Distance of the reference point from there, along +x. At 0 the sphere's surface points and
     /// their normals lie on rays from the reference point, so that localizing a cube map changes nothing.
     #[serde(rename = "reference.offset")]
     #[default(0.25)]
@@ -56,6 +83,12 @@ pub(super) struct Settings {
     #[default(2.0)]
     #[schemars(range(min = 0.0, max = 100.0), extend("unit" = "W/sr"))]
     light: f32,
+    /// Colour of the ceiling, which it changes with the -z wall.
+    ceiling: Ceiling,
+    /// How far a divider from floor to ceiling reaches from the -z wall, half-way to the +x wall; 0: there is none.
+    #[default(0.0)]
+    #[schemars(range(min = 0.0, max = 1.9), extend("unit" = "m"))]
+    divider: f32,
     /// A block stands in the corner and casts a shadow.
     #[default(true)]
     block: bool,
@@ -81,13 +114,18 @@ impl Recipe for ColoredRoom {
 
     fn build(s: &Settings, receivers: &[String]) -> Result<Scene, SceneError> {
         let mut parts = Parts::default();
+        let (white, green) = ([0.75, 0.75, 0.7], [0.2, 0.6, 0.22]);
+        let [ceiling, back] = match s.ceiling {
+            Ceiling::White => [white, green],
+            Ceiling::Green => [green, white],
+        };
         let colours = [
             [0.15, 0.3, 0.75],
             [0.75, 0.14, 0.1],
-            [0.75, 0.75, 0.7],
+            ceiling,
             [0.5, 0.42, 0.35],
             [0.55, 0.2, 0.6],
-            [0.2, 0.6, 0.22],
+            back,
         ];
         parts.add(
             "walls",
@@ -104,17 +142,32 @@ impl Recipe for ColoredRoom {
                 room::block(centre, size, material),
             );
         }
+        if s.divider > 0.0 {
+            let size = Vec3::new(room::DIVIDER, 2.0 * room::HALF, s.divider);
+            let centre = Vec3::new(0.5 * room::HALF, 0.0, 0.5 * s.divider - room::HALF);
+            let material = Material::diffuse(Vec3::splat(0.75));
+            parts.add(
+                "divider",
+                Role::Environment,
+                room::block(centre, size, material),
+            );
+        }
         let name = receivers.first().map_or("sphere", String::as_str);
         let model = receiver::model(name, s.size, &s.look)?;
-        let (lo, _) = model.mesh.bounds().unwrap_or_default();
+        let (lo, hi) = model.mesh.bounds().unwrap_or_default();
         let home = match s.place {
             Place::Middle => Vec3::ZERO,
             Place::Halfway => Vec3::new(-0.5 * room::HALF, 0.0, 0.0),
             Place::Wall => Vec3::new(s.gap - lo.x - room::HALF, 0.0, 0.0),
             Place::Floor => Vec3::new(0.0, s.gap - lo.y - room::HALF, 0.0),
+            Place::Ceiling => Vec3::new(-0.5 * room::HALF, room::HALF - s.gap - hi.y, 0.0),
         };
         let position = home + Vec3::X * s.moved;
-        let reference = Vec3::X * s.reference_offset;
+        let offset = Vec3::X * s.reference_offset;
+        let [captured_at, reference] = match s.reference {
+            Reference::Receiver => [home, position],
+            Reference::Room => [Vec3::ZERO; 2],
+        };
         let offsets = row(s, position);
         let reach =
             position.x.abs() + offsets.iter().fold(0.0, |m, x| f32::max(m, *x)) + 0.5 * s.size;
@@ -144,8 +197,8 @@ impl Recipe for ColoredRoom {
                 picture: None,
             }],
             camera: Some(room::camera(0.6 * home)),
-            reference_point: Some(position + reference),
-            captured_at: Some(home + reference),
+            reference_point: Some(reference + offset),
+            captured_at: Some(captured_at + offset),
             ..Setting::default()
         };
         Ok(assemble(Self::NAME, parts, setting))

@@ -43,9 +43,6 @@ pub(super) struct Settings {
     look: Look,
 }
 
-/// Thickness of the divider in metres.
-const THICKNESS: f32 = 0.06;
-
 impl Recipe for DividedRoom {
     type Settings = Settings;
     const NAME: &'static str = "divided-room";
@@ -63,7 +60,7 @@ impl Recipe for DividedRoom {
             room::glowing([0.3, 0.6, 0.3], 0.15),
         ];
         parts.add("walls", Role::Environment, room::walls(walls));
-        let size = Vec3::new(THICKNESS, 2.0 * room::HALF, s.depth);
+        let size = Vec3::new(room::DIVIDER, 2.0 * room::HALF, s.depth);
         let centre = Vec3::new(0.0, 0.0, 0.5 * s.depth - room::HALF);
         let white = Material::diffuse(Vec3::splat(0.75));
         parts.add(

@@ -8,6 +8,9 @@ use glam::Vec3;
 /// Half the edge of a room in metres.
 pub(super) const HALF: f32 = 1.0;
 
+/// Thickness of a divider in metres.
+pub(super) const DIVIDER: f32 = 0.06;
+
 /// A closed room, fronts inside, with a material per wall in the order +x −x +y −y +z −z.
 pub(super) fn walls(materials: [Material; 6]) -> Model {
     let mut mesh = shapes::cuboid(Vec3::splat(2.0 * HALF), Facing::Inward);

@@ -185,7 +185,8 @@ fn judged_claim(
     finding: &Finding,
 ) -> (Verdict, ClaimRecord) {
     let (verdict, mut why, trials) = experiment.judge(claim, finding);
-    if !trials.is_empty() && finding.measured.iter().any(|m| m.software) {
+    let software = finding.measured.iter().any(|m| m.software);
+    if software && trials.iter().any(|trial| trial.is_of_times()) {
         why += "; times on gpu are a software adapter's";
     }
     let record = ClaimRecord {

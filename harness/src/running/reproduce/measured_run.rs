@@ -13,13 +13,16 @@ pub(super) struct MeasuredRun {
 impl MeasuredRun {
     /// Milliseconds of a frame: captures, preparation and shading.
     pub(super) fn frame_ms(&self) -> Amount {
-        let phases = self.run.phases_ms;
-        let times = [phases.capture, phases.prepare, phases.shade];
-        let times: Vec<Amount> = times.into_iter().flatten().map(amount).collect();
-        Amount {
-            value: times.iter().map(|t| t.value).sum(),
-            spread: times.iter().map(|t| t.spread).fold(0.0, f64::hypot),
-        }
+        let captured = self.capture_ms().plus(self.prepare_ms());
+        captured.plus(self.shade_ms())
+    }
+
+    /// Milliseconds of captures.
+    pub(super) fn capture_ms(&self) -> Amount {
+        self.run
+            .phases_ms
+            .capture
+            .map_or(Amount::exact(0.0), amount)
     }
 
     /// Milliseconds of preparation.

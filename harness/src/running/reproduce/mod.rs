@@ -25,6 +25,7 @@ mod synthetic;
 mod szirmay_kalos;
 mod umenhoffer;
 mod verdict;
+mod viewer;
 
 pub use assets::Assets;
 pub use experiment::{Claim, Experiment};

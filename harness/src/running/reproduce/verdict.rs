@@ -88,6 +88,11 @@ impl Trial {
         Self::less_by(what, backend, (a.value, b.value), a.spread.hypot(b.spread))
     }
 
+    /// Whether it compares times: their unit is the last word.
+    pub fn is_of_times(&self) -> bool {
+        self.what.ends_with(" ms")
+    }
+
     /// That the first number is smaller than the second, where their difference may be off by
     /// `noise`. Numbers that are equal up to that, or no numbers at all, decide nothing.
     pub fn less_by(
@@ -303,6 +308,8 @@ mod tests {
         };
         let q = a.over(b);
         assert!((q.value - 3.0).abs() < 1e-12 && (q.spread - 0.3).abs() < 1e-12);
+        let sum = a.plus(Amount { spread: 0.8, ..b });
+        assert!((sum.value - 8.0).abs() < 1e-12 && (sum.spread - 1.0).abs() < 1e-12);
         assert_eq!(Amount::exact(3.0).times(2.0), Amount::exact(6.0));
     }
 }

@@ -109,6 +109,38 @@ fn the_receiver_stands_at_its_gap() {
             .unwrap();
         assert!((lo[axis] + 1.0 - gap).abs() < 1e-6, "{place}: {lo}");
     }
+    let set = [("receiver.place", "ceiling"), ("receiver.gap", "0.2")];
+    let scene = opened("colored-room", &set, Some("torus"));
+    let mesh = &scene.objects_of(Role::Receiver).next().unwrap().mesh;
+    let (_, hi) = mesh.bounds().unwrap();
+    assert!((hi.y - 0.8).abs() < 1e-6, "{hi}");
+}
+
+/// As in P1's figures: the reference point stays in the middle while the receiver moves, a divider stands in the room, and
+/// the ceiling is green.
+#[test]
+fn the_colored_room_may_have_a_divider_a_green_ceiling_and_its_own_reference_point() {
+    let set = [
+        ("receiver.place", "halfway"),
+        ("reference.place", "room"),
+        ("reference.offset", "0"),
+        ("block", "false"),
+        ("divider", "0.9"),
+        ("ceiling", "green"),
+    ];
+    let scene = opened("colored-room", &set, None);
+    assert_eq!(
+        (scene.reference_point, scene.captured_at),
+        (Vec3::ZERO, Some(Vec3::ZERO))
+    );
+    let found = volume(&scene, Role::Environment, Vec3::ZERO);
+    assert!((found - (-8.0 + 0.06 * 2.0 * 0.9)).abs() < 1e-4, "{found}");
+    let walls = scene.objects_of(Role::Environment).next().unwrap();
+    let greenest = |wall: usize| {
+        let albedo = scene.materials[walls.mesh.materials[2 * wall] as usize].albedo;
+        albedo.y > albedo.x
+    };
+    assert_eq!([2, 5].map(greenest), [true, false]);
 }
 
 #[test]

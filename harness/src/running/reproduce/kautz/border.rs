@@ -109,7 +109,7 @@ pub(super) fn pairs(along: f32) -> Points {
 }
 
 /// A point that reflects what comes from a direction back there.
-fn mirroring(direction: Vec3) -> Point {
+pub(super) fn mirroring(direction: Vec3) -> Point {
     Point {
         position: Vec3::ZERO,
         normal: direction,

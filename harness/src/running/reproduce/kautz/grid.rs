@@ -1,149 +1,199 @@
-//! Pictures over the bias on the mip level and the Fresnel term.
+//! Pictures over the Fresnel term and the bias on the mip level.
 
 use super::super::experiment_context::ExperimentContext;
-use super::super::experiment_scene::ExperimentScene;
 use super::super::finding::Finding;
 use super::super::judge::Judge;
+use super::super::measured_run::amount_of;
 use super::super::pictures::Row;
+use super::super::scene_setup::SceneSetup;
+use super::super::setup::Runs;
 use super::super::verdict::{Amount, Trial};
+use super::biased;
 use crate::domain::image::HdrImage;
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
-use crate::running::view::View;
-use interreflect_estimators::Quantity;
-use interreflect_scene::{Estimate, PointLayout};
+use crate::running::on_backend::Sequence;
+use crate::running::view::{Look, View};
+use glam::Vec3;
+use interreflect_estimators::{Configured, Quantity};
+use interreflect_scene::motion::Moves;
+use interreflect_scene::{Estimate, Point, PointLayout, Points, SurfaceMaterial};
+use serde::Serialize;
 
-const BIASES: [f32; 4] = [-2.0, 0.0, 2.0, 4.0];
+/// A model under an environment, and the grid.
+#[derive(Serialize)]
+pub(super) struct Grid {
+    pub(super) scene: SceneSetup,
+    /// f_λ, across.
+    pub(super) f_lambda: [f64; 4],
+    /// b, down.
+    pub(super) bias: [f64; 4],
+    /// Texels along a face's edge of the pyramid's base.
+    pub(super) resolution: u32,
+    /// Pixels along a picture's edge, whatever the effort: the hardware's level rises where pixels are larger.
+    pub(super) pixels: u32,
+}
 
-const F_LAMBDAS: [f32; 3] = [0.1, 0.4, 0.9];
+/// Nothing moves.
+const RESTING: Moves = Moves {
+    geometry: false,
+    camera: false,
+    lights: false,
+    environment: false,
+};
 
-pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> {
-    let mut finding = Finding::default();
-    let environment = context.assets().environment("blender_courtyard");
-    if environment.is_none() {
-        finding.note("blender_courtyard not found: the library's sky in its place");
-    }
-    let place = ExperimentScene::of("studio")
-        .with(&context.mesh("buddha"))
-        .under(environment)
-        .set("receiver.diffuse", 0.4)
-        .set("receiver.specular", 0.6);
-    let loaded = context.load(&place, &mut finding)?;
-    let view = context.view(&loaded)?;
-    let points = view.points(PointLayout::Material);
-    for backend in context.backends() {
-        let mut shoot = |bias: f32, f_lambda: f32| {
-            let method = context.method(
-                "sh_mip_envmap",
-                &[
-                    ("resolution", &256),
-                    ("lod_mode", &"bias"),
-                    ("lod", &bias),
-                    ("f_lambda", &f_lambda),
-                ],
-            )?;
-            let measured = context.run_once(
-                &loaded,
-                backend,
-                &*method,
-                Quantity::GlossyRadiance,
-                &points,
-            )?;
-            finding.runs.push(measured.run);
-            Ok::<_, RunError>(measured.estimate)
-        };
-        let mut plain = Vec::new();
-        for bias in BIASES {
-            plain.push(shoot(bias, 0.0)?);
-        }
-        let mut rows = Vec::new();
-        for f_lambda in F_LAMBDAS {
-            let mut row = Vec::new();
-            for bias in BIASES {
-                row.push(shoot(bias, f_lambda)?);
+/// Largest factor between frame times that are the same.
+const SAME: f64 = 1.25;
+
+/// A picture of the grid with its session and the times of its frames.
+struct Cell {
+    case: String,
+    method: Box<dyn Configured>,
+    running: Sequence,
+    ms: Vec<f64>,
+    picture: Estimate,
+}
+
+impl Runs for Grid {
+    fn run(&self, context: &ExperimentContext<'_>) -> Result<Finding, RunError> {
+        let mut finding = Finding::default();
+        let loaded = context.load(&context.place(&self.scene), &mut finding)?;
+        let view = context.whole_view(&loaded, self.pixels, Look::default())?;
+        let points = view.points(PointLayout::Material);
+        let mirroring = mirroring(&points);
+        let quantity = Quantity::GlossyRadiance;
+        for backend in context.backends() {
+            let mut cells = self.cells(context, points.len())?;
+            // In turns, so that other load meets all alike; the first frame warms up.
+            for frame in 0..=context.pick(4, 12) {
+                for cell in &mut cells {
+                    let on = (&mut cell.running, backend);
+                    let seen = (&points, None, RESTING);
+                    let shaded = context.frame(&loaded, on, &*cell.method, quantity, seen)?;
+                    if frame > 0 {
+                        cell.ms.push(shaded.ms);
+                    }
+                    cell.picture = shaded.estimate;
+                }
             }
-            rows.push(row);
+            let unit = ("ms", context.software(backend));
+            for cell in &cells {
+                finding.time((&*cell.case, "frame"), backend, amount_of(&cell.ms), unit);
+            }
+            let times: Vec<_> = cells.iter().map(|c| (&*c.case, amount_of(&c.ms))).collect();
+            finding.judge("C3", alike(backend, &times));
+            let (mut sharp, mut gloss) = (Vec::new(), Vec::new());
+            for (row, bias) in cells.chunks(self.f_lambda.len()).zip(self.bias) {
+                let method = biased(context, self.resolution, bias, 0.0)?;
+                let plain = context.run_once(&loaded, backend, &*method, quantity, &points)?;
+                let from = Judge::at(&plain.estimate, None, (0..points.len()).collect());
+                let away = |cell: &Cell| from.relative_rms(&cell.picture).value;
+                let (mut sharp_row, away): (Vec<f64>, Vec<f64>) =
+                    (Vec::new(), row.iter().map(away).collect());
+                for (cell, away) in row.iter().zip(&away) {
+                    let mirrored =
+                        context.run_once(&loaded, backend, &*cell.method, quantity, &mirroring)?;
+                    let sharpness = sharpness(&view.surfaces(), &view.image(&mirrored.estimate));
+                    for (name, value) in [
+                        ("difference of neighbours / mean, mirrored light", sharpness),
+                        ("rms from f_λ = 0 / mean", *away),
+                    ] {
+                        finding.measure((&*cell.case, name), backend, Amount::exact(value), "");
+                    }
+                    sharp_row.push(sharpness);
+                    finding.runs.push(mirrored.run);
+                }
+                sharp.push(sharp_row);
+                gloss.push(away);
+                if backend == context.backends()[0] {
+                    finding.pictures.push(self.row(&view, bias, row));
+                }
+            }
+            let (stronger, blurrier) = self.judged(backend, &sharp, &gloss);
+            finding.judge("C1", stronger);
+            finding.judge("C2", blurrier);
         }
-        judge(&view, (&plain, &rows), backend, &mut finding);
-        if backend == context.backends()[0] {
-            finding.pictures.extend(
-                rows.iter()
-                    .zip(F_LAMBDAS)
-                    .map(|(row, f)| pictures(&view, row, f)),
-            );
-        }
+        Ok(finding)
     }
-    Ok(finding)
 }
 
-fn judge(
-    view: &View,
-    (plain, rows): (&[Estimate], &[Vec<Estimate>]),
-    backend: Backend,
-    finding: &mut Finding,
-) {
-    let mut gloss: Vec<Vec<f64>> = Vec::new();
-    let mut sharpness_of: Vec<Vec<f64>> = Vec::new();
-    for (row, f) in rows.iter().zip(F_LAMBDAS) {
-        let sharp: Vec<f64> = row
-            .iter()
-            .map(|e| sharpness(&view.surfaces(), &view.image(e)))
-            .collect();
-        let away = |(e, p): (&Estimate, &Estimate)| {
-            Judge::at(p, None, (0..p.len()).collect())
-                .relative_rms(e)
-                .value
-        };
-        gloss.push(row.iter().zip(plain).map(away).collect());
-        for (i, b) in BIASES.into_iter().enumerate() {
-            let case = format!("b = {b}, f_λ = {f}");
-            let away = gloss.last().map_or(0.0, |g| g[i]);
-            finding.measure(
-                (&*case, "difference of neighbours / mean"),
-                backend,
-                Amount::exact(sharp[i]),
-                "",
-            );
-            finding.measure(
-                (&*case, "rms from f_λ = 0 / mean"),
-                backend,
-                Amount::exact(away),
-                "",
-            );
-        }
-        sharpness_of.push(sharp);
+impl Grid {
+    fn cells(&self, context: &ExperimentContext<'_>, points: usize) -> Result<Vec<Cell>, RunError> {
+        let pairs = self.bias.into_iter();
+        let pairs = pairs.flat_map(|bias| self.f_lambda.into_iter().map(move |f| (bias, f)));
+        pairs
+            .map(|(bias, f_lambda)| {
+                Ok(Cell {
+                    case: format!("b = {bias}, f_λ = {f_lambda}"),
+                    method: biased(context, self.resolution, bias, f_lambda)?,
+                    running: Sequence::default(),
+                    ms: Vec::new(),
+                    picture: Estimate::new(points),
+                })
+            })
+            .collect()
     }
-    let (blurrier, stronger) = judged(backend, &sharpness_of, &gloss);
-    finding.judge("C1", stronger);
-    finding.judge("C2", blurrier);
+
+    fn row(&self, view: &View, bias: f64, row: &[Cell]) -> Row {
+        let mut pictures = Row::plain(format!("b = {bias}"));
+        for (cell, f) in row.iter().zip(self.f_lambda) {
+            pictures.add(format!("f_λ = {f}"), view.lit(&cell.picture));
+        }
+        pictures
+    }
+
+    /// That pictures gain distance from that of f_λ = 0 with each step of f_λ, and lose sharpness with each step of b; a
+    /// list of both for each b, over f_λ.
+    fn judged(
+        &self,
+        backend: Backend,
+        sharp: &[Vec<f64>],
+        gloss: &[Vec<f64>],
+    ) -> (Vec<Trial>, Vec<Trial>) {
+        let (mut stronger, mut blurrier) = (Vec::new(), Vec::new());
+        for (row, b) in gloss.iter().zip(self.bias) {
+            for (pair, f) in row.windows(2).zip(self.f_lambda.windows(2)) {
+                let what = format!("b = {b}: f_λ = {} nearer to 0's than {}", f[0], f[1]);
+                stronger.push(Trial::less_by(what, backend, (pair[0], pair[1]), 0.0));
+            }
+        }
+        for (pair, b) in sharp.windows(2).zip(self.bias.windows(2)) {
+            for (i, f) in self.f_lambda.into_iter().enumerate() {
+                let what = format!(
+                    "f_λ = {f}: neighbours at b = {} differ less than at {}",
+                    b[1], b[0]
+                );
+                blurrier.push(Trial::less_by(what, backend, (pair[1][i], pair[0][i]), 0.0));
+            }
+        }
+        (stronger, blurrier)
+    }
 }
 
-/// That pictures lose sharpness with each step of b, and gain distance from that of f_λ = 0 with each step
-/// of f_λ; a list of both for each f_λ, over b.
-fn judged(backend: Backend, sharp: &[Vec<f64>], gloss: &[Vec<f64>]) -> (Vec<Trial>, Vec<Trial>) {
-    let (mut blurrier, mut stronger) = (Vec::new(), Vec::new());
-    for (sharp, f) in sharp.iter().zip(F_LAMBDAS) {
-        for i in 1..BIASES.len() {
-            let what = format!(
-                "f_λ = {f}: neighbours at b = {} differ less than at {}",
-                BIASES[i],
-                BIASES[i - 1]
-            );
-            blurrier.push(Trial::less_by(what, backend, (sharp[i], sharp[i - 1]), 0.0));
-        }
-    }
-    for (i, b) in BIASES.into_iter().enumerate() {
-        for f in 1..F_LAMBDAS.len() {
-            let what = format!(
-                "b = {b}: f_λ = {} nearer to 0's than {}",
-                F_LAMBDAS[f - 1],
-                F_LAMBDAS[f]
-            );
-            let pair = (gloss[f - 1][i], gloss[f][i]);
-            stronger.push(Trial::less_by(what, backend, pair, 0.0));
-        }
-    }
-    (blurrier, stronger)
+/// That each frame takes less than a quarter more than the median of all.
+fn alike(backend: Backend, times: &[(&str, Amount)]) -> Vec<Trial> {
+    let all: Vec<f64> = times.iter().map(|(_, ms)| ms.value).collect();
+    let usual = amount_of(&all);
+    let below = |(case, ms): &(&str, Amount)| {
+        let what = format!("{case}: frame below {SAME} times the median over the grid, ms");
+        Trial::less(what, backend, *ms, usual.times(SAME))
+    };
+    times.iter().map(below).collect()
+}
+
+/// The same points without their diffuse part.
+fn mirroring(points: &Points) -> Points {
+    let mirroring = |point: Point| Point {
+        material: SurfaceMaterial {
+            diffuse: Vec3::ZERO,
+            ..point.material
+        },
+        ..point
+    };
+    Points::new(
+        points.layout(),
+        points.iter().map(|point| point.map(mirroring)),
+    )
 }
 
 /// Mean difference of neighbouring pixels that both show the surface, over their mean.
@@ -165,39 +215,35 @@ fn sharpness(surface: &[bool], image: &HdrImage) -> f64 {
     difference / sum
 }
 
-fn pictures(view: &View, row: &[Estimate], f_lambda: f32) -> Row {
-    let mut pictures = Row::plain(format!("f_λ = {f_lambda}"));
-    for (estimate, bias) in row.iter().zip(BIASES) {
-        pictures.add(format!("b = {bias}"), view.image(estimate));
-    }
-    pictures
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::super::synthetic::signs;
     use super::*;
-    use glam::Vec3;
 
     #[test]
-    fn blur_rises_with_b_and_strength_with_f() {
-        let rows = |values: [[f64; 4]; 3]| values.map(|row| row.to_vec());
-        let falling = rows([[4.0, 3.0, 2.0, 1.0]; 3]);
-        let rising = rows([[1.0; 4], [2.0; 4], [3.0; 4]]);
-        let (blurrier, stronger) = judged(Backend::Cpu, &falling, &rising);
-        assert_eq!(
-            (signs(&blurrier), signs(&stronger)),
-            ("+".repeat(9), "+".repeat(8))
-        );
-        let (sharper, weaker) = (
-            rows([[1.0, 2.0, 3.0, 4.0]; 3]),
-            rows([[3.0; 4], [2.0; 4], [1.0; 4]]),
-        );
-        let (blurrier, stronger) = judged(Backend::Cpu, &sharper, &weaker);
-        assert_eq!(
-            (signs(&blurrier), signs(&stronger)),
-            ("-".repeat(9), "-".repeat(8))
-        );
+    fn strength_rises_with_f_and_blur_with_b_in_the_same_time() {
+        let grid = Grid {
+            scene: SceneSetup::of("studio"),
+            f_lambda: [0.03, 0.09, 0.26, 0.42],
+            bias: [0.0, 0.8, 1.7, 2.4],
+            resolution: 256,
+            pixels: 512,
+        };
+        let rows = |value: &dyn Fn(usize, usize) -> f64| -> Vec<Vec<f64>> {
+            (0..4)
+                .map(|b| (0..4).map(|f| value(b, f)).collect())
+                .collect()
+        };
+        let judged = |up: f64| {
+            let gloss = rows(&|_, f| 10.0 + up * f as f64);
+            let sharp = rows(&|b, _| 10.0 - up * b as f64);
+            let (stronger, blurrier) = grid.judged(Backend::Cpu, &sharp, &gloss);
+            (signs(&stronger), signs(&blurrier))
+        };
+        assert_eq!(judged(1.0), ("+".repeat(12), "+".repeat(12)));
+        assert_eq!(judged(-1.0), ("-".repeat(12), "-".repeat(12)));
+        let times = [10.0, 10.0, 10.0, 12.0, 13.0].map(|ms| ("", Amount::exact(ms)));
+        assert_eq!(signs(&alike(Backend::Cpu, &times)), "++++-");
     }
 
     /// 1 2 / 3 5, the last without a surface: |1 − 2| and |1 − 3| over 1.5 and 2.

@@ -5,20 +5,33 @@ use super::super::experiment_scene::ExperimentScene;
 use super::super::finding::Finding;
 use super::super::judge::{ERROR, Judge};
 use super::super::pictures::Row;
+use super::super::scene_setup::SceneSetup;
+use super::super::setup::Runs;
 use super::super::verdict::{Amount, Trial};
+use super::room::localized;
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
 use crate::running::view::View;
 use glam::Vec3;
-use interreflect_estimators::execution::LoadedScene;
 use interreflect_estimators::{Configured, Quantity};
 use interreflect_scene::{Estimate, Points, Role};
+use serde::Serialize;
 
-/// Metres that the object has moved since the map was made.
-const MOVED_M: [f32; 4] = [0.0, 0.125, 0.25, 0.5];
-
-/// Metres up to which a reused map has to do.
-const NEAR_M: f32 = 0.25;
+/// An object that moves away from where its map was made, and several objects that share a map.
+#[derive(Serialize)]
+pub(super) struct Amortised {
+    pub(super) scene: SceneSetup,
+    /// M, texels along a face's edge.
+    pub(super) resolution: u32,
+    /// Texels along a face's edge of the capture.
+    pub(super) capture_resolution: u32,
+    /// Metres that the object has moved since the map was made.
+    pub(super) moved_m: [f64; 4],
+    /// Metres up to which a reused map has to do.
+    pub(super) near_m: f64,
+    /// Objects that share a map.
+    pub(super) objects: u32,
+}
 
 /// Largest factor on the error that counts as serving as well.
 const WORSE: f64 = 2.0;
@@ -26,221 +39,208 @@ const WORSE: f64 = 2.0;
 /// What an estimate costs, and how good it is.
 type Cost = (Amount, Amount);
 
-pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> {
-    let mut finding = Finding::default();
-    for moved in MOVED_M {
-        moved_by(context, moved, &mut finding)?;
+impl Runs for Amortised {
+    fn run(&self, context: &ExperimentContext<'_>) -> Result<Finding, RunError> {
+        let mut finding = Finding::default();
+        for moved in self.moved_m {
+            self.moved_by(context, moved, &mut finding)?;
+        }
+        for backend in context.backends() {
+            self.shared(context, backend, &mut finding)?;
+        }
+        Ok(finding)
     }
-    for backend in context.backends() {
-        shared(context, backend, &mut finding)?;
+}
+
+impl Amortised {
+    fn place(&self, context: &ExperimentContext<'_>, moved: f64, objects: u32) -> ExperimentScene {
+        context
+            .place(&self.scene)
+            .set("receiver.moved", moved)
+            .set("receivers", objects)
     }
-    Ok(finding)
-}
 
-fn place(context: &ExperimentContext<'_>, moved: f32, receivers: u32) -> ExperimentScene {
-    ExperimentScene::of("colored-room")
-        .set("reference.offset", 0)
-        .with(&context.mesh("bunny"))
-        .set("receiver.size", 0.5)
-        .set("receiver.moved", moved)
-        .set("receivers", receivers)
-}
+    /// A map that is kept while the object is no farther than `within_m` from where it was made; always
+    /// fresh for 0.
+    fn map(
+        &self,
+        context: &ExperimentContext<'_>,
+        within_m: f64,
+    ) -> Result<Box<dyn Configured>, RunError> {
+        let texels = (self.resolution, self.capture_resolution);
+        localized(
+            context,
+            texels,
+            "shader",
+            &[("recapture_distance", &within_m)],
+        )
+    }
 
-/// A map of M = 8 that is kept while the object is no farther than `within_m` from where it was made;
-/// always fresh for 0.
-fn map(context: &ExperimentContext<'_>, within_m: f32) -> Result<Box<dyn Configured>, RunError> {
-    let parameters: [(&str, &dyn ToString); 3] = [
-        ("resolution", &8),
-        ("bounces", &4),
-        ("recapture_distance", &within_m),
-    ];
-    context.method("localized_cubemap", &parameters)
-}
-
-fn moved_by(
-    context: &ExperimentContext<'_>,
-    moved: f32,
-    finding: &mut Finding,
-) -> Result<(), RunError> {
-    let loaded = context.load(&place(context, moved, 1), finding)?;
-    let view = context.view(&loaded)?;
-    let points = view.points(Quantity::Irradiance.layout());
-    let mut references = context.references(&loaded, Quantity::Irradiance, &points);
-    let truth = references.truth();
-    let judge = Judge::new(truth, &points);
-    let case = format!("moved {moved} m");
-    let mut row = Row::rendered(&*case, "truth", &view, &truth.values);
-    for backend in context.backends() {
-        let mut runs = Vec::new();
-        for (label, within_m) in [("fresh", 0.0), ("reused", 1.0)] {
-            let method = map(context, within_m)?;
-            let measured =
-                context.run_timed(&loaded, backend, &*method, Quantity::Irradiance, &points)?;
-            if backend == context.backends()[0] {
-                row.add(label, view.image(&measured.estimate));
+    fn moved_by(
+        &self,
+        context: &ExperimentContext<'_>,
+        moved: f64,
+        finding: &mut Finding,
+    ) -> Result<(), RunError> {
+        let loaded = context.load(&self.place(context, moved, 1), finding)?;
+        let view = context.view(&loaded)?;
+        let points = view.points(Quantity::Irradiance.layout());
+        let mut references = context.references(&loaded, Quantity::Irradiance, &points);
+        let truth = references.truth();
+        let judge = Judge::new(truth, &points);
+        let case = format!("moved {moved} m");
+        let mut row = Row::rendered(&*case, "truth", &view, &truth.values);
+        for backend in context.backends() {
+            let mut runs = Vec::new();
+            for (label, within_m) in [("fresh", 0.0), ("reused", 1.0)] {
+                let method = self.map(context, within_m)?;
+                let measured =
+                    context.run_timed(&loaded, backend, &*method, Quantity::Irradiance, &points)?;
+                if backend == context.backends()[0] {
+                    row.add(label, view.image(&measured.estimate));
+                }
+                runs.push((measured.frame_ms(), judge.error(&measured.estimate)));
+                finding.runs.push(measured.run);
             }
-            runs.push((measured.frame_ms(), judge.error(&measured.estimate)));
+            if let [fresh, kept] = runs[..] {
+                let software = context.software(backend);
+                let (time, error) = weigh(
+                    (&case, backend, software),
+                    ("reused", kept),
+                    ("fresh", fresh),
+                    finding,
+                );
+                finding.judge("C2", [time]);
+                finding.judge("C3", (moved <= self.near_m).then_some(error));
+            }
+        }
+        finding.pictures.push(row);
+        Ok(())
+    }
+
+    /// One map between the objects, against a map in the middle of each that shades the object's own points alone.
+    fn shared(
+        &self,
+        context: &ExperimentContext<'_>,
+        backend: Backend,
+        finding: &mut Finding,
+    ) -> Result<(), RunError> {
+        let quantity = Quantity::Irradiance;
+        let scene = context.scene(&self.place(context, 0.0, self.objects), finding)?;
+        let middle = |mesh: &interreflect_scene::Mesh| {
+            let (low, high) = mesh.bounds().unwrap_or_default();
+            0.5 * (low + high)
+        };
+        let receivers = scene.objects_of(Role::Receiver);
+        let middles: Vec<Vec3> = receivers.map(|o| middle(&o.mesh)).collect();
+        let loaded = context.set_up(&scene)?;
+        let view = context.view(&loaded)?;
+        let points = view.points(quantity.layout());
+        let mut references = context.references(&loaded, quantity, &points);
+        let truth = references.truth();
+        let judge = Judge::new(truth, &points);
+        let method = self.map(context, 0.0)?;
+        let one = context.run_timed(&loaded, backend, &*method, quantity, &points)?;
+        let (mut each, mut each_ms) = (Estimate::new(points.len()), Amount::exact(0.0));
+        for (own, &at) in of_each(&points, &middles).iter().zip(&middles) {
+            let mut there = scene.clone();
+            (there.reference_point, there.captured_at) = (at, None);
+            let there = context.set_up(&there)?;
+            let its = Points::new(points.layout(), own.iter().map(|&i| points.get(i)));
+            let measured = context.run_timed(&there, backend, &*method, quantity, &its)?;
+            for (k, &i) in own.iter().enumerate() {
+                each.set(i, measured.estimate.get(k));
+            }
+            each_ms = each_ms.plus(measured.frame_ms());
             finding.runs.push(measured.run);
         }
-        if let [fresh, kept] = runs[..] {
-            let software = context.software(backend);
-            weigh(
-                (&case, backend, software),
-                ("reused", kept),
-                ("fresh", fresh),
-                moved <= NEAR_M,
-                finding,
-            );
+        let case = format!("{} objects", self.objects);
+        let one_cost = (one.frame_ms(), judge.error(&one.estimate));
+        let at = (&*case, backend, context.software(backend));
+        let each_cost = (each_ms, judge.error(&each));
+        let (time, error) = weigh(
+            at,
+            ("one map", one_cost),
+            ("a map each", each_cost),
+            finding,
+        );
+        finding.judge("C1", [time, error]);
+        if backend == context.backends()[0] {
+            let row = pictures(&case, &view, &truth.values, [&one.estimate, &each]);
+            finding.pictures.push(row);
         }
+        finding.runs.push(one.run);
+        Ok(())
     }
-    finding.pictures.push(row);
-    Ok(())
 }
 
-/// One map between two objects, against a map in the middle of each.
-fn shared(
-    context: &ExperimentContext<'_>,
-    backend: Backend,
-    finding: &mut Finding,
-) -> Result<(), RunError> {
-    let scene = context.scene(&place(context, 0.0, 2), finding)?;
-    let middle = |mesh: &interreflect_scene::Mesh| {
-        let (low, high) = mesh.bounds().unwrap_or_default();
-        0.5 * (low + high)
-    };
-    let middles: Vec<Vec3> = scene
-        .objects_of(Role::Receiver)
-        .map(|o| middle(&o.mesh))
-        .collect();
-    let loaded = context.set_up(&scene)?;
-    let view = context.view(&loaded)?;
-    let points = view.points(Quantity::Irradiance.layout());
-    let mut references = context.references(&loaded, Quantity::Irradiance, &points);
-    let truth = references.truth();
-    let judge = Judge::new(truth, &points);
-    let method = map(context, 0.0)?;
-    let mut shoot = |loaded: &LoadedScene| {
-        let measured =
-            context.run_timed(loaded, backend, &*method, Quantity::Irradiance, &points)?;
-        finding.runs.push(measured.run.clone());
-        Ok::<_, RunError>(measured)
-    };
-    let one = shoot(&loaded)?;
-    let mut own = Vec::new();
-    for &at in &middles {
-        let mut there = scene.clone();
-        (there.reference_point, there.captured_at) = (at, None);
-        own.push(shoot(&context.set_up(&there)?)?);
-    }
-    let estimates: Vec<&Estimate> = own.iter().map(|measured| &measured.estimate).collect();
-    let each = of_the_nearest(&points, &middles, &estimates);
-    let capture = |measured: &super::super::measured_run::MeasuredRun| measured.frame_ms();
-    let each_cost = (together(own.iter().map(capture)), judge.error(&each));
-    let one_cost = (one.frame_ms(), judge.error(&one.estimate));
-    let at = ("2 objects", backend, context.software(backend));
-    weigh(
-        at,
-        ("one map", one_cost),
-        ("a map each", each_cost),
-        true,
-        finding,
-    );
-    if backend == context.backends()[0] {
-        finding
-            .pictures
-            .push(pictures(&view, &truth.values, [&one.estimate, &each]));
-    }
-    Ok(())
-}
-
-fn pictures(view: &View, truth: &Estimate, [one, each]: [&Estimate; 2]) -> Row {
-    let mut row = Row::rendered("2 objects", "truth", view, truth);
+fn pictures(case: &str, view: &View, truth: &Estimate, [one, each]: [&Estimate; 2]) -> Row {
+    let mut row = Row::rendered(case, "truth", view, truth);
     row.add("one map", view.image(one));
     row.add("a map each", view.image(each));
     row
 }
 
-/// The sum of independent times; no number without any.
-fn together(times: impl Iterator<Item = Amount>) -> Amount {
-    let sum = times.reduce(|a, b| Amount {
-        value: a.value + b.value,
-        spread: a.spread.hypot(b.spread),
-    });
-    sum.unwrap_or(Amount::exact(f64::NAN))
-}
-
-/// At each point the estimate whose place is the nearest.
-fn of_the_nearest(points: &Points, places: &[Vec3], estimates: &[&Estimate]) -> Estimate {
-    let mut merged = Estimate::new(points.len());
+/// For each of the places the indices of the points that no other place is nearer to.
+fn of_each(points: &Points, places: &[Vec3]) -> Vec<Vec<usize>> {
+    let mut all = vec![Vec::new(); places.len()];
     for (i, point) in points.iter().enumerate() {
         let Some(point) = point else { continue };
         let distance = |p: &Vec3| point.position.distance_squared(*p);
-        let ranked = places.iter().zip(estimates);
-        let nearest = ranked.min_by(|a, b| distance(a.0).total_cmp(&distance(b.0)));
-        if let Some((_, estimate)) = nearest {
-            merged.set(i, estimate.get(i));
+        let ranked = places.iter().enumerate();
+        let nearest = ranked.min_by(|a, b| distance(a.1).total_cmp(&distance(b.1)));
+        if let Some((place, _)) = nearest {
+            all[place].push(i);
         }
     }
-    merged
+    all
 }
 
-/// That the first way takes less time and, if `near`, is not much worse.
+/// That the first way takes less time, and that its error is less than twice the other's.
 fn weigh(
     (case, backend, software): (&str, Backend, bool),
     (cheap, (cheap_ms, cheap_error)): (&str, Cost),
     (dear, (dear_ms, dear_error)): (&str, Cost),
-    near: bool,
     finding: &mut Finding,
-) {
+) -> (Trial, Trial) {
     for (label, ms, error) in [(cheap, cheap_ms, cheap_error), (dear, dear_ms, dear_error)] {
-        finding.time(
-            (case, format!("frame, {label}")),
-            backend,
-            ms,
-            ("ms", software),
-        );
+        let name = format!("frame, {label}");
+        finding.time((case, name), backend, ms, ("ms", software));
         finding.measure((case, format!("{ERROR}, {label}")), backend, error, "");
     }
     let time = format!("{case}: frame of {cheap} below that of {dear}, ms");
-    finding.judge("C1", [Trial::less(time, backend, cheap_ms, dear_ms)]);
-    if near {
-        let error = format!("{case}: error of {cheap} below {WORSE} times that of {dear}");
-        let limit = dear_error.times(WORSE);
-        finding.judge("C2", [Trial::less(error, backend, cheap_error, limit)]);
-    }
+    let error = format!("{case}: error of {cheap} below {WORSE} times that of {dear}");
+    (
+        Trial::less(time, backend, cheap_ms, dear_ms),
+        Trial::less(error, backend, cheap_error, dear_error.times(WORSE)),
+    )
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::synthetic::{about, flat, signs};
+    use super::super::super::synthetic::{about, signs};
     use super::*;
     use interreflect_scene::{Point, PointLayout};
 
     #[test]
-    fn a_kept_map_has_to_be_faster_and_near_by_not_twice_as_wrong() {
-        let weighed = |cheap: Cost, dear: Cost, near: bool| {
+    fn one_map_has_to_be_faster_and_not_twice_as_wrong() {
+        let weighed = |cheap: Cost, dear: Cost| {
             let mut finding = Finding::default();
             let at = ("case", Backend::Cpu, false);
-            weigh(at, ("reused", cheap), ("fresh", dear), near, &mut finding);
+            let (time, error) = weigh(at, ("reused", cheap), ("fresh", dear), &mut finding);
             assert_eq!(finding.measured.len(), 4);
             assert_eq!(finding.measured[0].value, cheap.0.value);
             assert_eq!(finding.measured[3].value, dear.1.value);
-            signs(finding.trials_of("C1")) + &signs(finding.trials_of("C2"))
+            signs([&time, &error])
         };
         let cost = |ms: f64, error: f64| (about(ms), Amount::exact(error));
-        assert_eq!(weighed(cost(1.0, 1.9), cost(2.0, 1.0), true), "++");
-        assert_eq!(weighed(cost(2.0, 2.1), cost(1.0, 1.0), true), "--");
-        assert_eq!(weighed(cost(2.0, 0.1), cost(2.1, 1.0), true), "?+");
-        assert_eq!(weighed(cost(1.0, 9.0), cost(2.0, 1.0), false), "+");
-        // A quarter of the half-width of the room, which is 1 m.
-        assert_eq!(MOVED_M.map(|m| m <= NEAR_M), [true, true, true, false]);
+        assert_eq!(weighed(cost(1.0, 1.9), cost(2.0, 1.0)), "++");
+        assert_eq!(weighed(cost(2.0, 2.1), cost(1.0, 1.0)), "--");
+        assert_eq!(weighed(cost(2.0, 0.1), cost(2.1, 1.0)), "?+");
     }
 
     #[test]
-    fn two_maps_take_the_time_of_both_and_each_point_has_the_nearest() {
-        let sum = together([about(3.0), about(4.0)].into_iter());
-        assert!((sum.value - 7.0).abs() < 1e-12 && (sum.spread - 0.5).abs() < 1e-12);
-        assert!(together(std::iter::empty()).value.is_nan());
+    fn each_point_is_shaded_with_the_nearest_map_alone() {
         let at = |x: f32| {
             Some(Point {
                 position: Vec3::X * x,
@@ -249,9 +249,13 @@ mod tests {
             })
         };
         let points = Points::new(PointLayout::Surface, [at(-0.9), at(0.2), None, at(-0.2)]);
-        let (left, right) = (flat(1.0), flat(2.0));
-        let merged = of_the_nearest(&points, &[-Vec3::X, Vec3::X], &[&left, &right]);
-        let found: Vec<f32> = merged.iter().map(|v| v.x).collect();
-        assert_eq!(found, [1.0, 2.0, 0.0, 1.0]);
+        assert_eq!(
+            of_each(&points, &[-Vec3::X, Vec3::X]),
+            [vec![0, 3], vec![1]]
+        );
+        assert_eq!(
+            of_each(&points, &[Vec3::X, -Vec3::X]),
+            [vec![1], vec![0, 3]]
+        );
     }
 }

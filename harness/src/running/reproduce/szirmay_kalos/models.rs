@@ -1,160 +1,172 @@
-//! A model in a coloured room: localized maps of few texels beside classic mapping and the truth.
+//! A model at several places in the room: classic mapping, localized maps of few and of many texels, and the reference.
 
 use super::super::experiment_context::ExperimentContext;
-use super::super::experiment_scene::ExperimentScene;
 use super::super::finding::Finding;
 use super::super::judge::{ERROR, Judge, scaled};
 use super::super::pictures::Row;
-use super::super::verdict::Trial;
+use super::super::scene_setup::SceneSetup;
+use super::super::setup::Runs;
+use super::super::verdict::{Amount, Trial};
+use super::super::viewer::{LOOKS, Viewer};
+use super::alike;
+use super::room::{Reflection, UNSHADOWED, classic, localized};
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
-use interreflect_estimators::execution::LoadedScene;
-use interreflect_estimators::{Configured, OwnModel, Quantity};
-use interreflect_scene::{Estimate, LightPaths};
+use interreflect_estimators::Configured;
+use interreflect_scene::Estimate;
+use serde::Serialize;
 
-/// How the model reflects.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Reflection {
-    /// Irradiance, whatever the albedo.
-    Diffuse,
-    /// A Blinn–Phong lobe of the figures' shininess, alone.
-    Specular,
+/// A figure's pictures.
+#[derive(Serialize)]
+pub(super) struct Models {
+    pub(super) scene: SceneSetup,
+    pub(super) reflection: Reflection,
+    /// Places of the receiver.
+    pub(super) places: &'static [&'static str],
+    /// M, texels along a face's edge; the last is the large one.
+    pub(super) resolutions: [u32; 3],
+    /// Texels along a face's edge of the capture.
+    pub(super) capture_resolution: u32,
+    /// The listing's solid angle, which made the pictures, and the text's.
+    pub(super) weights: [&'static str; 2],
 }
 
-/// Places of the receiver in the room.
-const PLACES: [&str; 3] = ["middle", "halfway", "wall"];
+/// Largest share of classic mapping's difference from the large map that passes for similar to it.
+const SIMILAR: f64 = 0.5;
 
-/// Texels along a face's edge.
-const RESOLUTIONS: [u32; 3] = [2, 4, 16];
+impl Runs for Models {
+    fn run(&self, context: &ExperimentContext<'_>) -> Result<Finding, RunError> {
+        let mut finding = Finding::default();
+        if self.reflection == Reflection::Diffuse {
+            let places = (&self.scene, self.places);
+            alike::judge(context, places, self.capture_resolution, &mut finding)?;
+        }
+        for place in self.places {
+            self.at(context, place, &mut finding)?;
+        }
+        Ok(finding)
+    }
+}
 
-/// Reflections that captures hold, so that what is left out is not in the comparison.
-const BOUNCES: u32 = 4;
-
-/// All light but what the model keeps from itself: in neither map is there any of the model, and a map
-/// that is too dark must not gain by its missing shadows.
-const UNSHADOWED: LightPaths = LightPaths {
-    self_shadowing: false,
-    ..LightPaths::ALL
-};
-
-pub(super) fn run(
-    context: &ExperimentContext<'_>,
-    model: &str,
-    reflections: &[Reflection],
-) -> Result<Finding, RunError> {
-    let mut finding = Finding::default();
-    let model = context.mesh(model);
-    for &reflection in reflections {
-        for place in PLACES {
-            let (diffuse, specular) = match reflection {
-                Reflection::Diffuse => (0.8, 0.0),
-                Reflection::Specular => (0.0, 0.8),
+impl Models {
+    fn at(
+        &self,
+        context: &ExperimentContext<'_>,
+        place: &str,
+        finding: &mut Finding,
+    ) -> Result<(), RunError> {
+        let quantity = self.reflection.quantity();
+        let scene = context.place(&self.scene).set("receiver.place", place);
+        let loaded = context.load(&scene, finding)?;
+        let view = context.view(&loaded)?;
+        let points = view.points(quantity.layout());
+        let mut references = context.references(&loaded, quantity, &points);
+        let truth = references.model(UNSHADOWED);
+        let judge = Judge::new(truth, &points);
+        let viewer = Viewer::new(&view, &truth.values, Some(&truth.error));
+        let mut row = Row::rendered(place, "reference", &view, &truth.values);
+        let capture = self.capture_resolution;
+        for backend in context.backends() {
+            let mut shoot = |label: &str, shown: bool, method: &dyn Configured| {
+                let run = context.run_once(&loaded, backend, method, quantity, &points)?;
+                // The published lobe is not normalised: one factor brings a picture to the reference's brightness.
+                let estimate = match self.reflection {
+                    Reflection::Diffuse => run.estimate,
+                    Reflection::Specular => scaled(&run.estimate, judge.factor(&run.estimate)),
+                };
+                finding.runs.push(run.run);
+                let at = |name: &str| (place.to_owned(), format!("{name}, {label}"));
+                finding.measure(at(ERROR), backend, judge.error(&estimate), "");
+                let looks = Amount::exact(viewer.difference(&estimate));
+                finding.measure(at(LOOKS), backend, looks, "");
+                if shown && backend == context.backends()[0] {
+                    row.add(label, view.image(&estimate));
+                }
+                Ok::<_, RunError>(estimate)
             };
-            let room = ExperimentScene::of("colored-room")
-                .set("reference.offset", 0)
-                .with(&model)
-                .set("receiver.place", place)
-                .set("receiver.size", 0.7)
-                .set("receiver.diffuse", diffuse)
-                .set("receiver.specular", specular)
-                .set("receiver.shininess", 5);
-            let loaded = context.load(&room, &mut finding)?;
-            let words = format!("{reflection:?}").to_lowercase();
-            let case = format!("{words} {}, {place}", model.name);
-            compare(context, &loaded, (&case, reflection), &mut finding)?;
+            let classic = shoot("classic", true, &*classic(context, capture)?)?;
+            let mut maps = Vec::new();
+            for (weights, name) in self.weights.into_iter().zip(["listing", "text"]) {
+                for m in self.resolutions {
+                    let method = localized(context, (m, capture), weights, &[])?;
+                    // The listing made the pictures.
+                    let (label, shown) = match name {
+                        "listing" => (format!("M = {m}"), true),
+                        _ => (format!("M = {m} by the {name}"), false),
+                    };
+                    let estimate = shoot(&label, shown, &*method)?;
+                    maps.push((format!("M = {m} by the {name}"), estimate));
+                }
+            }
+            let at = (place, backend);
+            for maps in maps.chunks_exact(self.resolutions.len()) {
+                let [first, second, (_, large)] = maps else {
+                    continue;
+                };
+                match self.reflection {
+                    Reflection::Diffuse => {
+                        for map in [first, second] {
+                            finding.judge("C2", [similar(at, (map, large, &classic))]);
+                            finding.judge("C2", [nearer(&judge, at, map, &classic)]);
+                        }
+                    }
+                    Reflection::Specular => {
+                        let pleasing = [
+                            nearer(&judge, at, first, &classic),
+                            looks(&viewer, at, first, &classic),
+                        ];
+                        finding.judge("C1", pleasing);
+                        finding.judge("C2", [similar(at, (first, large, &classic))]);
+                    }
+                }
+            }
         }
+        finding.pictures.push(row);
+        Ok(())
     }
-    Ok(finding)
 }
 
-fn compare(
-    context: &ExperimentContext<'_>,
-    loaded: &LoadedScene,
-    (case, reflection): (&str, Reflection),
-    finding: &mut Finding,
-) -> Result<(), RunError> {
-    let quantity = match reflection {
-        Reflection::Diffuse => Quantity::Irradiance,
-        Reflection::Specular => Quantity::GlossyRadiance,
-    };
-    let view = context.view(loaded)?;
-    let points = view.points(quantity.layout());
-    let mut references = context.references(loaded, quantity, &points);
-    let mut complete = context.references(loaded, quantity, &points);
-    let all = context.pick(None, Some(())).map(|()| complete.truth());
-    let truth = references.model(OwnModel::LightTransport(UNSHADOWED));
-    let judge = Judge::new(truth, &points);
-    let brought = |e: &Estimate| match reflection {
-        Reflection::Diffuse => e.clone(),
-        Reflection::Specular => scaled(e, judge.factor(e)),
-    };
-    let mut row = Row::rendered(case, "reference", &view, &truth.values);
-    for backend in context.backends() {
-        let mut shoot = |label: &str, method: &dyn Configured| {
-            let measured = context.run_once(loaded, backend, method, quantity, &points)?;
-            let estimate = brought(&measured.estimate);
-            finding.measure(
-                (case, format!("{ERROR}, {label}")),
-                backend,
-                judge.error(&estimate),
-                "",
-            );
-            if let Some(all) = &all {
-                let full = Judge::new(all, &points).error(&estimate);
-                finding.measure(
-                    (case, format!("with shadows of itself {label}")),
-                    backend,
-                    full,
-                    "",
-                );
-            }
-            finding.runs.push(measured.run);
-            if backend == context.backends()[0] {
-                row.add(label, view.image(&estimate));
-            }
-            Ok::<_, RunError>(estimate)
-        };
-        let classic = shoot(
-            "classic",
-            &*context.method("classic_envmap", &[("bounces", &BOUNCES)])?,
-        )?;
-        let mut maps = Vec::new();
-        for m in RESOLUTIONS {
-            let map = localized(context, m, "published")?;
-            maps.push((m, shoot(&format!("M = {m}"), &*map)?));
-        }
-        shoot("M = 16 corrected", &*localized(context, 16, "corrected")?)?;
-        let trials = nearer_than_classic(&judge, (case, backend), &maps, &classic);
-        finding.judge("C1", trials);
-    }
-    finding.pictures.push(row);
-    Ok(())
-}
+/// A map's name and picture.
+type Map = (String, Estimate);
 
-/// That each map, of M texels along a face's edge, is nearer to the reference than classic mapping.
-fn nearer_than_classic(
+/// That a map is nearer to the reference than classic mapping.
+fn nearer(
     judge: &Judge<'_>,
-    (case, backend): (&str, Backend),
-    maps: &[(u32, Estimate)],
+    (place, backend): (&str, Backend),
+    map: &Map,
     classic: &Estimate,
-) -> Vec<Trial> {
-    let nearer = |(m, map): &(u32, Estimate)| {
-        judge.nearer(format!("{case}, M = {m}"), backend, map, classic)
-    };
-    maps.iter().map(nearer).collect()
+) -> Trial {
+    let what = format!("{place}: {} nearer to the reference than classic", map.0);
+    judge.nearer(what, backend, &map.1, classic)
 }
 
-fn localized(
-    context: &ExperimentContext<'_>,
-    resolution: u32,
-    fidelity: &str,
-) -> Result<Box<dyn Configured>, RunError> {
-    let parameters: [(&str, &dyn ToString); 3] = [
-        ("resolution", &resolution),
-        ("bounces", &BOUNCES),
-        ("fidelity", &fidelity),
-    ];
-    context.method("localized_cubemap", &parameters)
+/// That it looks more like it.
+fn looks(
+    viewer: &Viewer<'_>,
+    (place, backend): (&str, Backend),
+    map: &Map,
+    classic: &Estimate,
+) -> Trial {
+    let what = format!(
+        "{place}: {} looks more like the reference than classic",
+        map.0
+    );
+    viewer.nearer(what, backend, (&map.1, 1.0, classic))
+}
+
+/// That a map differs from the large one by less than half of what classic mapping does, root mean square.
+fn similar(
+    (place, backend): (&str, Backend),
+    (map, large, classic): (&Map, &Estimate, &Estimate),
+) -> Trial {
+    let from_large = Judge::at(large, None, (0..large.len()).collect());
+    let rms = |e: &Estimate| from_large.relative_rms(e).value;
+    let what = format!(
+        "{place}: {} differs from the large map by less than {SIMILAR} of classic's difference, rms / mean",
+        map.0
+    );
+    let pair = (rms(&map.1), SIMILAR * rms(classic));
+    Trial::less_by(what, backend, pair, 0.0)
 }
 
 #[cfg(test)]
@@ -163,13 +175,20 @@ mod tests {
     use super::*;
 
     #[test]
-    fn maps_have_to_be_nearer_than_classic_mapping() {
+    fn few_texels_have_to_be_nearer_than_classic_and_near_to_the_large_map() {
         let reference = flat(1.0);
         let judge = exact(&reference);
-        let maps = [(2, flat(1.2)), (4, flat(0.7)), (16, flat(0.4))];
-        let trials = nearer_than_classic(&judge, ("case", Backend::Gpu), &maps, &flat(1.5));
-        assert_eq!(signs(&trials), "++-");
-        assert_eq!(trials[1].what, "case, M = 4, MSE / mean²");
-        assert!(trials.iter().all(|t| t.backend == Backend::Gpu));
+        let at = ("wall", Backend::Gpu);
+        let (classic, large) = (flat(1.5), flat(0.9));
+        let map = |value| ("M = 2".to_owned(), flat(value));
+        let judged = |map: Map| {
+            let nearer = nearer(&judge, at, &map, &classic);
+            let similar = similar(at, (&map, &large, &classic));
+            assert_eq!(similar.backend, Backend::Gpu);
+            signs([&nearer, &similar])
+        };
+        assert_eq!(judged(map(1.1)), "++");
+        assert_eq!(judged(map(1.3)), "+-");
+        assert_eq!(judged(map(0.4)), "--");
     }
 }
