@@ -34,8 +34,8 @@ pub(super) fn points(footprint: f32) -> Points {
     Points::new(PointLayout::Material, points)
 }
 
-/// The strongest change of slope from step to step, but for a two-hundredth of all, over the mean: how much of an angle a
-/// value's graph has.
+/// The strongest change of slope from step to step, but for a two-hundredth of all, over the mean slope: how much of an
+/// angle a value's graph has.
 pub(super) fn kinks(estimate: &Estimate) -> f64 {
     let values: Vec<f64> = estimate
         .iter()
@@ -47,7 +47,9 @@ pub(super) fn kinks(estimate: &Estimate) -> f64 {
     }
     kinks.sort_by(f64::total_cmp);
     let at = ((1.0 - BEYOND) * kinks.len() as f64) as usize;
-    let mean = values.iter().sum::<f64>() / values.len().max(1) as f64;
+    let steps = values.chunks_exact(STEPS).flat_map(|line| line.windows(2));
+    let slopes: Vec<f64> = steps.map(|v| (v[1] - v[0]).abs()).collect();
+    let mean = slopes.iter().sum::<f64>() / slopes.len().max(1) as f64;
     kinks.get(at).copied().unwrap_or_default() / mean
 }
 

@@ -76,7 +76,12 @@ impl Runs for Filters {
             let mut kinks = |name: &str, method: &dyn Configured| {
                 let run = context.run_once(&loaded, backend, method, quantity, &along)?;
                 let kinks = lines::kinks(&run.estimate);
-                finding.measure((name, "kinks / mean"), backend, Amount::exact(kinks), "");
+                finding.measure(
+                    (name, "kinks / mean slope"),
+                    backend,
+                    Amount::exact(kinks),
+                    "",
+                );
                 Ok::<_, RunError>(kinks)
             };
             let pair = (kinks("Phong", &*slow)?, kinks("box", &*fast)?);
@@ -89,6 +94,7 @@ impl Runs for Filters {
             finding.runs.extend([phong.run, boxed.run]);
         }
         finding.leave_out("C3", RIVAL);
+        finding.note("the level that a bias makes depends on the size of pixels, and the paper does not say how many its picture has");
         finding.note("a smoother magnification, which would cure the blocks, is not implemented");
         Ok(finding)
     }
