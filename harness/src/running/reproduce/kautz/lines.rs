@@ -7,9 +7,6 @@ use interreflect_scene::{Estimate, Point, PointLayout, Points};
 /// Points of a line.
 const STEPS: usize = 1024;
 
-/// Share of the steps with the strongest kinks that is left out, so that the strongest of the rest tells.
-const BEYOND: f64 = 0.005;
-
 /// Three lines on each of six faces, away from their edges, as pixels see them whose mirrored direction changes by
 /// `footprint` radians from one to the next.
 pub(super) fn points(footprint: f32) -> Points {
@@ -34,21 +31,21 @@ pub(super) fn points(footprint: f32) -> Points {
     Points::new(PointLayout::Material, points)
 }
 
-/// The strongest change of slope from step to step, but for a two-hundredth of all, over the mean: how much of an angle a
-/// value's graph has.
+/// The strongest change of slope from step to step of each line, over the mean slope, in the mean of all lines: how much of
+/// an angle a value's graph has.
 pub(super) fn kinks(estimate: &Estimate) -> f64 {
     let values: Vec<f64> = estimate
         .iter()
         .map(|v| f64::from(v.element_sum()))
         .collect();
-    let mut kinks = Vec::new();
-    for line in values.chunks_exact(STEPS) {
-        kinks.extend(line.windows(3).map(|v| (v[0] - 2.0 * v[1] + v[2]).abs()));
-    }
-    kinks.sort_by(f64::total_cmp);
-    let at = ((1.0 - BEYOND) * kinks.len() as f64) as usize;
-    let mean = values.iter().sum::<f64>() / values.len().max(1) as f64;
-    kinks.get(at).copied().unwrap_or_default() / mean
+    let lines = || values.chunks_exact(STEPS);
+    let strongest = |line: &[f64]| {
+        let changes = line.windows(3).map(|v| (v[0] - 2.0 * v[1] + v[2]).abs());
+        changes.fold(0.0, f64::max)
+    };
+    let slope = |line: &[f64]| -> f64 { line.windows(2).map(|v| (v[1] - v[0]).abs()).sum() };
+    let steps = (STEPS - 1) as f64;
+    lines().map(strongest).sum::<f64>() / (lines().map(slope).sum::<f64>() / steps)
 }
 
 #[cfg(test)]

@@ -152,8 +152,8 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
                 id: "C2",
                 says: "The box filter shows some blocks.",
                 rule: "A trial is a backend: along lines over the cube's faces the strongest kinks of mirrored \
-                    light, changes of slope from step to step but for a two-hundredth, are more than twice those \
-                    of the Phong filter.",
+                    light, changes of slope from step to step over the mean slope, are more than twice those of \
+                    the Phong filter on a map of 64² cells a face.",
             },
             Claim {
                 id: "C3",

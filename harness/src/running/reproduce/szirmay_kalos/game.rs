@@ -50,6 +50,10 @@ impl Runs for Game {
             ));
         }
         finding.note("surfaces seen and direct light with its shadows are ray-traced on the CPU, for both backends");
+        finding.note(
+            "the paper's reflectance has no factor 1/π, so that objects are brighter than the room, which is shown \
+             in direct light alone",
+        );
         let points = view.points(quantity.layout());
         let mut row = Row::plain("glossy objects");
         for backend in context.backends() {

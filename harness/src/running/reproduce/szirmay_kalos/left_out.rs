@@ -27,12 +27,13 @@ pub(super) enum Left {
     SelfShadowing,
 }
 
-/// A model at places of a room, and what is left out there.
+/// A model in a room, and what is left out there.
 #[derive(Serialize)]
 pub(super) struct LeftOut {
     pub(super) scene: SceneSetup,
     pub(super) left_out: Left,
-    pub(super) places: &'static [&'static str],
+    /// Settings of the scene, one after the other.
+    pub(super) cases: &'static [(&'static str, &'static str)],
     /// M, texels along a face's edge.
     pub(super) resolution: u32,
     /// Texels along a face's edge of the capture.
@@ -48,8 +49,8 @@ const WORSE: f64 = 2.0;
 impl Runs for LeftOut {
     fn run(&self, context: &ExperimentContext<'_>) -> Result<Finding, RunError> {
         let mut finding = Finding::default();
-        for place in self.places {
-            self.at(context, place, &mut finding)?;
+        for &case in self.cases {
+            self.at(context, case, &mut finding)?;
         }
         Ok(finding)
     }
@@ -70,11 +71,12 @@ impl LeftOut {
     fn at(
         &self,
         context: &ExperimentContext<'_>,
-        place: &str,
+        (setting, value): (&str, &str),
         finding: &mut Finding,
     ) -> Result<(), RunError> {
         let quantity = Quantity::Irradiance;
-        let scene = context.place(&self.scene).set("receiver.place", place);
+        let place = &*format!("{setting}={value}");
+        let scene = context.place(&self.scene).set(setting, value);
         let loaded = context.load(&scene, finding)?;
         let view = context.view(&loaded)?;
         let points = view.points(quantity.layout());
