@@ -88,8 +88,8 @@ pub fn direct_light(scene: &CpuScene, points: &Points, light: DirectLight) -> Es
 }
 
 fn at_point(scene: &CpuScene, point: &Point, how: DirectLight) -> Vec3 {
-    let origin = point.position.as_dvec3();
     let occluders = scene.all_objects();
+    let origin = occluders.above(point.position, point.normal);
     let lights = scene.scene().lights.iter();
     lights
         .filter_map(|light| light.incident(point.position))

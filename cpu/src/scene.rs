@@ -16,6 +16,10 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 /// Rays that leave a surface start this far from it, relative to the largest coordinate.
 const RAY_START: f64 = 1e-8;
 
+/// Rays leave a shaded point from this far above it, relative to its coordinates: points on a
+/// surface are rounded to f32 and may lie a few units in the last place behind it.
+const LIFT: f32 = 2e-6;
+
 /// A scene with ray queries. The tree over all objects is built when it is first asked for, and
 /// never if there is no receiver.
 #[derive(Debug)]
@@ -198,6 +202,12 @@ impl Geometry {
     /// Smallest ray parameter at which a ray that starts on a surface may meet another.
     pub fn ray_start(&self) -> f64 {
         RAY_START * f64::from(self.reach)
+    }
+
+    /// Where rays leave a shaded point: a little above its surface, along the unit normal.
+    pub fn above(&self, position: Vec3, normal: Vec3) -> DVec3 {
+        let reach = position.abs().max_element().max(0.1 * self.reach);
+        position.as_dvec3() + (normal * (LIFT * reach)).as_dvec3()
     }
 
     /// Largest coordinate of any corner, in metres.

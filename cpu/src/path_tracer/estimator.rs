@@ -17,9 +17,6 @@ use interreflect_scene::{LightPaths, Point};
 const CERTAIN_BOUNCES: u32 = 3;
 /// Largest probability of going on, so that paths between perfect reflectors end as well.
 const LARGEST_SURVIVAL: f32 = 0.95;
-/// Rays leave a shaded point from this far above it, relative to its coordinates: points on a
-/// surface are rounded to f32 and may lie a few units in the last place behind it.
-const LIFT: f32 = 2e-6;
 
 /// A scene with the choice of light paths.
 pub(super) struct Estimator<'a> {
@@ -65,8 +62,7 @@ impl<'a> Estimator<'a> {
             && m.diffuse.is_finite()
             && m.specular.is_finite()
             && m.shininess.is_finite();
-        let reach = (point.position.abs().max_element()).max(0.1 * self.first.reach());
-        let lifted = point.position.as_dvec3() + (normal * (LIFT * reach)).as_dvec3();
+        let lifted = self.first.above(point.position, normal);
         finite.then(|| Gather {
             origin: match self.paths.environment_at_infinity {
                 true => self.scene.scene().reference_point.as_dvec3(),

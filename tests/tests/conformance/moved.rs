@@ -167,8 +167,8 @@ fn shared<S: BackendScene>(
         .needs(variant.quantity, &three.cpu.scene().facts())?;
     let together = run(&loaded(&three)?, variant, &points)?;
     ensure!(together.iter().all(Vec3::is_finite), "not finite");
-    // Light transport sees the other receivers.
-    if needs.light_transport {
+    // Light transport and the lights' pictures see the other receivers.
+    if needs.light_transport || !needs.rsms.is_empty() {
         return Ok(());
     }
     let alone = run(&loaded(&one)?, variant, &points)?;

@@ -256,7 +256,7 @@ fn shared_scenes_load() {
 #[test]
 fn lights_take_their_pictures_where_they_are_told() {
     let light = |keys: &str| {
-        let text = format!("[[light]]\nposition = [0, 2, 0]\n{keys}");
+        let text = format!("[[mesh]]\nshape = \"quad\"\n[[light]]\nposition = [0, 2, 0]\n{keys}");
         let folder = Folder::new(&[("s.toml", &*text)]);
         open_path(&folder.path("s.toml")).lights[0]
     };

@@ -310,7 +310,7 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
         item: Item::Section("6"),
         title: "surfaces that face away from a sample",
         setup: &BackSides {
-            scene: BOX,
+            scene: SceneSetup::of("cornell-box").set(&[("light.angle", "20")]),
             below_m: 0.1,
             grid: GRID,
         },
@@ -318,7 +318,7 @@ pub(super) const EXPERIMENTS: &[Experiment] = &[
             id: "C1",
             says: "Eqs. 11 and 15 light back sides.",
             rule: "A trial is an equation and a backend: points below the floor that look up at it get more light \
-                than by eq. 14.",
+                than by eq. 14. The spot light is so narrow that all samples lie on the floor and on a block's top.",
         }],
     },
     Experiment {

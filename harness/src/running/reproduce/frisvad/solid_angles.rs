@@ -193,7 +193,7 @@ fn brightness(irradiance: &Estimate) -> f64 {
 pub(super) struct BackSides {
     pub(super) scene: SceneSetup,
     /// How far below the floor points are that look up at it, in metres.
-    pub(super) below_m: f32,
+    pub(super) below_m: f64,
     #[serde(flatten)]
     pub(super) grid: Grid,
 }
@@ -207,7 +207,7 @@ impl Runs for BackSides {
         let at = |i: u32| {
             let [x, z] = [i % 16, i / 16].map(|k| (k as f32 + 0.5) / 16.0);
             Some(Point {
-                position: low + Vec3::new(x * extent.x, -self.below_m, z * extent.z),
+                position: low + Vec3::new(x * extent.x, -self.below_m as f32, z * extent.z),
                 normal: Vec3::Y,
                 ..Point::default()
             })

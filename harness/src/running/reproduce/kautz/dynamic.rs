@@ -72,7 +72,11 @@ impl Runs for Dynamic {
                     times.push(shaded.ms);
                 }
                 if index == 0 || index + 1 == count {
-                    row.add(format!("frame {index}"), view.lit(&shaded.estimate));
+                    let direct = context.direct_light(&loaded, backend, &view)?;
+                    row.add(
+                        format!("frame {index}"),
+                        view.lit(&shaded.estimate, &direct),
+                    );
                 }
             }
             let (frame, case) = (amount_of(&times), "turning environment");

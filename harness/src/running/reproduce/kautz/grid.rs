@@ -106,7 +106,8 @@ impl Runs for Grid {
                 sharp.push(sharp_row);
                 gloss.push(away);
                 if backend == context.backends()[0] {
-                    finding.pictures.push(self.row(&view, bias, row));
+                    let direct = context.direct_light(&loaded, backend, &view)?;
+                    finding.pictures.push(self.row((&view, &direct), bias, row));
                 }
             }
             let (stronger, blurrier) = self.judged(backend, &sharp, &gloss);
@@ -134,10 +135,10 @@ impl Grid {
             .collect()
     }
 
-    fn row(&self, view: &View, bias: f64, row: &[Cell]) -> Row {
+    fn row(&self, (view, direct): (&View, &Estimate), bias: f64, row: &[Cell]) -> Row {
         let mut pictures = Row::plain(format!("b = {bias}"));
         for (cell, f) in row.iter().zip(self.f_lambda) {
-            pictures.add(format!("f_λ = {f}"), view.lit(&cell.picture));
+            pictures.add(format!("f_λ = {f}"), view.lit(&cell.picture, direct));
         }
         pictures
     }

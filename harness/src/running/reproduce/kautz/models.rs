@@ -92,7 +92,7 @@ impl Models {
             let biases: Vec<_> = model.biases.iter().map(f64::to_string).collect();
             row.add(
                 format!("b = {}, {backend}", biases.join(" and ")),
-                view.lit(&all),
+                view.lit(&all, &context.direct_light(&loaded, backend, &view)?),
             );
         }
         finding.pictures.push(row);

@@ -10,6 +10,7 @@ use super::room::localized;
 use crate::running::error::RunError;
 use crate::running::view::Look;
 use interreflect_estimators::Quantity;
+use interreflect_scene::ReflectionLaw;
 use serde::Serialize;
 use std::time::Instant;
 
@@ -43,13 +44,13 @@ impl Runs for Game {
             return Ok(finding);
         };
         let scale = f64::from(self.pixels / width).powi(2);
-        let direct = amount_of(&times).times(scale);
+        let surfaces = amount_of(&times).times(scale);
         if scale > 1.0 {
             finding.note(format!(
                 "shading and direct light are those of {width}×{width} pixels, times {scale}"
             ));
         }
-        finding.note("surfaces seen and direct light with its shadows are ray-traced on the CPU, for both backends");
+        finding.note("surfaces seen are found by rays on the CPU, for both backends");
         finding.note(
             "the paper's reflectance has no factor 1/π, so that objects are brighter than the room, which is shown \
              in direct light alone",
@@ -61,15 +62,18 @@ impl Runs for Game {
             let method = localized(context, texels, "shader", &[])?;
             let run = context.run_timed(&loaded, backend, &*method, quantity, &points)?;
             let map = run.capture_ms().plus(run.prepare_ms());
-            let shade = run.shade_ms().times(scale);
-            let rest = shade.plus(direct);
+            let by_lambert = (&view.seen(), ReflectionLaw::Lambert.into());
+            let (light, direct) = context.direct_light_timed(&loaded, backend, by_lambert)?;
+            let (shade, direct) = (run.shade_ms().times(scale), direct.times(scale));
+            let rest = shade.plus(direct).plus(surfaces);
             let case = format!("{0}×{0} pixels", self.pixels);
             let unit = ("ms", context.software(backend));
             for (name, ms) in [
                 ("capture".to_owned(), run.capture_ms()),
                 ("prepare".to_owned(), run.prepare_ms()),
                 ("shade".to_owned(), shade),
-                ("surfaces and direct light".to_owned(), direct),
+                ("surfaces seen".to_owned(), surfaces),
+                ("direct light and shadows".to_owned(), direct),
                 ("frame with a new map".to_owned(), rest.plus(map)),
                 (
                     format!("frame with a map for {} frames", self.frames),
@@ -80,7 +84,7 @@ impl Runs for Game {
             }
             row.add(
                 format!("direct and indirect light, {backend}"),
-                view.lit(&run.estimate),
+                view.lit(&run.estimate, &light),
             );
             finding.runs.push(run.run);
         }
