@@ -135,7 +135,8 @@ impl Places<'_> {
     fn bleeding(&self, e: &Estimate) -> f64 {
         let on = |p: &Point| {
             let [y, z] = [p.position.y, p.position.z];
-            y < ON_WALL_M || y > BOX_M.y - ON_WALL_M || z > BOX_M.z - ON_WALL_M
+            let between = ON_WALL_M..=BOX_M.y - ON_WALL_M;
+            !between.contains(&y) || z > BOX_M.z - ON_WALL_M
         };
         let shades: Vec<f64> = self.at(on).map(|i| balance(e.get(i))).collect();
         let mean = shades.iter().sum::<f64>() / shades.len().max(1) as f64;
