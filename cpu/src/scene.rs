@@ -9,7 +9,7 @@ use crate::{
     path_tracer::{CoarseSolution, emitters::Emitters},
 };
 use glam::{DVec3, Vec3};
-use interreflect_scene::{CubeSpec, Material, Mesh, Role, Scene};
+use interreflect_scene::{CubeSpec, Material, Mesh, Point, Role, Scene, SurfaceMaterial};
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
@@ -64,6 +64,24 @@ pub struct SurfaceHit {
     pub triangle: u32,
     /// Weights of the triangle's corners 1 and 2.
     pub barycentric: [f32; 2],
+}
+
+impl SurfaceHit {
+    /// The surface as a shading point, seen along `direction`, with its interpolated normal and without a
+    /// footprint.
+    pub fn point(&self, direction: Vec3) -> Point {
+        Point {
+            position: self.position.as_vec3(),
+            normal: self.shading_normal,
+            view: -direction,
+            material: SurfaceMaterial {
+                diffuse: self.material.albedo,
+                specular: self.material.specular,
+                shininess: self.material.shininess,
+            },
+            footprint: 0.0,
+        }
+    }
 }
 
 impl CpuScene {

@@ -106,19 +106,44 @@ fn part(cell: u32, texel: u32) -> f32 {
     return f32(high - low) / f32(gather.size);
 }
 
-// One sample a workgroup: the mean over its cell, each lane a share of the texels.
-@compute @workgroup_size(64)
-fn gather_means(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lane: u32) {
+// The texels of the cell that a workgroup's sample stands for.
+struct CellTexels {
+    cell: vec2u,
+    // The first column and row, and how many of both.
+    first: vec2u,
+    count: vec2u,
+    // Index of the view's first texel, and of the sample.
+    view: u32,
+    index: u32,
+}
+
+fn cell_texels(group: vec3u) -> CellTexels {
     let n = gather.per_side;
     let cell = vec2u(group.x % n, group.x / n);
     let first = cell * gather.size / n;
     let count = ((cell + 1u) * gather.size + n - 1u) / n - first;
-    let view = group.y * gather.size * gather.size;
+    return CellTexels(cell, first, count, group.y * gather.size * gather.size, group.y * n * n + group.x);
+}
+
+// Column and row of a cell's texel.
+fn texel_of(texels: CellTexels, k: u32) -> vec2u {
+    return texels.first + vec2u(k % texels.count.x, k / texels.count.x);
+}
+
+// Part of a cell that a texel covers.
+fn covered(texels: CellTexels, texel: vec2u) -> f32 {
+    return part(texels.cell.x, texel.x) * part(texels.cell.y, texel.y);
+}
+
+// One sample a workgroup: the mean over its cell, each lane a share of the texels.
+@compute @workgroup_size(64)
+fn gather_means(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lane: u32) {
+    let texels = cell_texels(group);
     var sum = Reflected(vec3f(0.0), vec3f(0.0));
-    for (var k = lane; k < count.x * count.y; k += 64u) {
-        let texel = first + vec2u(k % count.x, k / count.x);
-        let weight = part(cell.x, texel.x) * part(cell.y, texel.y);
-        let here = reflected(view + texel.y * gather.size + texel.x);
+    for (var k = lane; k < texels.count.x * texels.count.y; k += 64u) {
+        let texel = texel_of(texels, k);
+        let weight = covered(texels, texel);
+        let here = reflected(texels.view + texel.y * gather.size + texel.x);
         sum.diffuse += here.diffuse * weight;
         sum.specular += here.specular * weight;
     }
@@ -131,10 +156,9 @@ fn gather_means(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_i
             lane_specular[lane] += lane_specular[lane + width];
         }
     }
-    let index = group.y * n * n + group.x;
-    let place = samples[index];
+    let place = samples[texels.index];
     if lane == 0u && positions[place.texel].w > 0.0 {
-        write_photon(index, place, Reflected(lane_diffuse[0], lane_specular[0]));
+        write_photon(texels.index, place, Reflected(lane_diffuse[0], lane_specular[0]));
     }
 }
 
@@ -193,18 +217,14 @@ fn unit(v: vec3f) -> vec3f {
 // One sample a workgroup: the mean of all that its cell shows.
 @compute @workgroup_size(64)
 fn gather_cells(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lane: u32) {
-    let n = gather.per_side;
-    let cell = vec2u(group.x % n, group.x / n);
-    let first = cell * gather.size / n;
-    let count = ((cell + 1u) * gather.size + n - 1u) / n - first;
-    let view = group.y * gather.size * gather.size;
-    let index = group.y * n * n + group.x;
+    let texels = cell_texels(group);
+    let index = texels.index;
     let place = samples[index];
     var sum = Cell(vec3f(0.0), 0.0, vec3f(0.0), 0.0, vec3f(0.0), 0.0, vec3f(0.0), 0.0, vec3f(0.0));
-    for (var k = lane; k < count.x * count.y; k += 64u) {
-        let texel = first + vec2u(k % count.x, k / count.x);
-        let rays = part(cell.x, texel.x) * part(cell.y, texel.y) * density(place.half, texel);
-        let at = view + texel.y * gather.size + texel.x;
+    for (var k = lane; k < texels.count.x * texels.count.y; k += 64u) {
+        let texel = texel_of(texels, k);
+        let rays = covered(texels, texel) * density(place.half, texel);
+        let at = texels.view + texel.y * gather.size + texel.x;
         sum.total += rays;
         if positions[at].w > 0.0 {
             add_texel(&sum, at, rays, place.half);

@@ -13,9 +13,7 @@ use interreflect_cpu::tiles::CpuCx;
 use interreflect_estimators::execution::BackendScene;
 use interreflect_estimators::{Claim, Configured, EstimatorError, OwnModel, Quantity};
 use interreflect_scene::library::{LibraryScene, library};
-use interreflect_scene::{
-    Bounds, Estimate, Point, Points, Role, SceneRequest, SurfaceMaterial, open,
-};
+use interreflect_scene::{Bounds, Estimate, Point, Points, Role, SceneRequest, open};
 
 pub(super) const NAME: &str = "steady";
 pub(super) const ABOUT: &str =
@@ -170,17 +168,7 @@ fn seen(scene: &CpuScene) -> Vec<Option<Point>> {
         let start = geometry.ray_start();
         let hit = scene.closest(geometry, camera.eye.as_dvec3(), direction, start)?;
         let shown = !hit.material.mirror && (!only_receivers || hit.role == Role::Receiver);
-        shown.then(|| Point {
-            position: hit.position.as_vec3(),
-            normal: hit.shading_normal,
-            view: -direction,
-            material: SurfaceMaterial {
-                diffuse: hit.material.albedo,
-                specular: hit.material.specular,
-                shininess: hit.material.shininess,
-            },
-            footprint: 0.0,
-        })
+        shown.then(|| hit.point(direction))
     };
     (0..RAYS * RAYS).map(at).collect()
 }

@@ -1,29 +1,25 @@
 //! What experiments work with: scenes on the backends, methods, and measurements.
 
-use super::assets::{Assets, Model};
-use super::experiment_scene::{ExperimentScene, setting};
-use super::finding::Finding;
+mod scenes;
+
+use super::assets::Assets;
+use super::experiment_scene::setting;
 use super::measured_run::{MeasuredRun, amount_of};
-use super::scene_setup::SceneSetup;
 use super::verdict::Amount;
 use crate::domain::record::{Backend, Phases, Run};
 use crate::running::clock::Sampling;
-use crate::running::context::{Context, GpuUse};
+use crate::running::context::Context;
 use crate::running::error::RunError;
 use crate::running::frames::{Frame, Shaded};
 use crate::running::on_backend::{Sequence, direct_light, measure_on, next_frame};
 use crate::running::run_record;
 use crate::running::truth::References;
-use crate::running::view::{Look, Shade, View};
+use crate::running::view::View;
 use interreflect_cpu::path_tracer::Stop;
 use interreflect_estimators::execution::LoadedScene;
 use interreflect_estimators::{Configured, Quantity, VisibleTriangles};
-use interreflect_scene::library::RECEIVERS;
 use interreflect_scene::motion::Moves;
-use interreflect_scene::{Camera, DirectLight, Estimate, Points, ReflectionLaw, Role, Scene};
-
-/// Share of a mesh's area turned inside out above which it is remarked.
-const FOLDED: f64 = 1e-3;
+use interreflect_scene::{DirectLight, Estimate, Points, ReflectionLaw};
 
 /// Methods, backends and models, and how much effort is made.
 pub struct ExperimentContext<'a> {
@@ -65,111 +61,6 @@ impl<'a> ExperimentContext<'a> {
             samples: Some(self.pick(64, 256)),
             ..Stop::default()
         }
-    }
-
-    /// A model, or what takes its place.
-    pub(super) fn mesh(&self, name: &str) -> Model {
-        self.assets.mesh(name)
-    }
-
-    /// The models and maps.
-    pub(super) fn assets(&self) -> &Assets {
-        &self.assets
-    }
-
-    /// A setup's scene: models and environment as they are found, and notes of what takes the place of those that
-    /// are not.
-    pub(super) fn place(&self, setup: &SceneSetup) -> ExperimentScene {
-        let mut place = ExperimentScene::of(setup.source);
-        for &model in setup.models {
-            place = match RECEIVERS.contains(&model) {
-                true => place.with_shape(model),
-                false => place.with(&self.mesh(model)),
-            };
-        }
-        if let Some(name) = setup.environment {
-            let environment = self.assets.environment(name);
-            if environment.is_none() {
-                place.notes.push(format!(
-                    "{name} not found: the scene's own environment in its place; `make assets` brings it"
-                ));
-            }
-            place = place.under(environment);
-        }
-        let settings = setup.settings.iter();
-        settings.fold(place, |place, (name, value)| place.set(name, value))
-    }
-
-    /// Opens a scene; what takes something's place in it is noted, and what is wrong with a mesh.
-    pub(super) fn scene(
-        &self,
-        place: &ExperimentScene,
-        finding: &mut Finding,
-    ) -> Result<Scene, RunError> {
-        for note in &place.notes {
-            finding.note(note.as_str());
-        }
-        let scene = self
-            .context
-            .scene(&place.source, &place.changes, &place.settings)?;
-        for object in scene.objects_of(Role::Receiver) {
-            let folded = object.mesh.folded_share();
-            if folded > FOLDED {
-                finding.note(format!(
-                    "{}: {:.1} % of its area is in triangles that are turned inside out, and seen as \
-                     dark dots",
-                    object.name,
-                    100.0 * folded
-                ));
-            }
-        }
-        Ok(scene)
-    }
-
-    /// Sets a scene up on the backends.
-    pub(super) fn set_up(&self, scene: &Scene) -> Result<LoadedScene, RunError> {
-        let gpu = GpuUse::where_listed(&self.backends);
-        self.context.set_up(&self.context.cpu, scene, gpu)
-    }
-
-    /// Opens a scene and sets it up.
-    pub(super) fn load(
-        &self,
-        place: &ExperimentScene,
-        finding: &mut Finding,
-    ) -> Result<LoadedScene, RunError> {
-        self.set_up(&self.scene(place, finding)?)
-    }
-
-    /// What a scene's camera sees, cropped to about as many shaded points as a picture has.
-    pub(super) fn view(&self, loaded: &LoadedScene) -> Result<View, RunError> {
-        self.view_of(loaded, self.points())
-    }
-
-    /// As [`Self::view`], of about as many points as said.
-    pub(super) fn view_of(&self, loaded: &LoadedScene, count: usize) -> Result<View, RunError> {
-        let scene = &*loaded.cpu().scene;
-        let camera = scene.scene().camera;
-        self.context
-            .cpu
-            .install(|| View::of_about(scene, &camera, (count, Shade::default())))
-    }
-
-    /// What a scene's camera sees, `width` pixels wide.
-    pub(super) fn whole_view(
-        &self,
-        loaded: &LoadedScene,
-        width: u32,
-        look: Look,
-    ) -> Result<View, RunError> {
-        let scene = &*loaded.cpu().scene;
-        let camera = scene.scene().camera;
-        let [w, h] = camera.resolution;
-        let camera = Camera {
-            resolution: [width, (width * h).div_ceil(w)],
-            ..camera
-        };
-        self.context.cpu.install(|| View::new(scene, &camera, look))
     }
 
     /// A method with parameters.

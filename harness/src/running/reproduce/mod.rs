@@ -12,6 +12,7 @@ mod experiment_context;
 mod experiment_scene;
 mod finding;
 mod frisvad;
+mod heights;
 mod judge;
 mod kautz;
 mod measured_run;

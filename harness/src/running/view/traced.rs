@@ -3,7 +3,7 @@
 use super::{Look, Mirrors, Pixel, Taps};
 use glam::{DVec3, Vec3};
 use interreflect_cpu::scene::{CpuScene, SurfaceHit};
-use interreflect_scene::{Camera, Point, Role, SurfaceMaterial};
+use interreflect_scene::{Camera, Point, Role};
 use rayon::prelude::*;
 
 /// Mirrors that a pixel's ray is followed through.
@@ -83,7 +83,7 @@ impl Traced {
             if hit.front {
                 traced.emitted = traced.mirrored * hit.material.emission;
             }
-            let here = shaded(&hit, direction);
+            let here = hit.point(direction);
             traced.seen = Some(here);
             let counts = mirrors == Mirrors::Included || !seen_in_mirror;
             if counts && (!only_receivers || hit.role == Role::Receiver) {
@@ -128,23 +128,9 @@ pub(super) fn footprint(points: &[Option<Point>], width: usize, i: usize) -> f32
         .fold(0.0, f32::max)
 }
 
-fn shaded(hit: &SurfaceHit, direction: Vec3) -> Point {
-    Point {
-        position: hit.position.as_vec3(),
-        normal: hit.shading_normal,
-        view: -direction,
-        material: SurfaceMaterial {
-            diffuse: hit.material.albedo,
-            specular: hit.material.specular,
-            shininess: hit.material.shininess,
-        },
-        footprint: 0.0,
-    }
-}
-
 /// A mirror's surface as if it were diffuse.
 fn as_diffuse(hit: &SurfaceHit, direction: Vec3) -> Point {
-    let mut point = shaded(hit, direction);
+    let mut point = hit.point(direction);
     point.material.diffuse = hit.material.specular;
     point.material.specular = Vec3::ZERO;
     point

@@ -5,16 +5,59 @@ use super::super::experiment_scene::ExperimentScene;
 use super::super::finding::Finding;
 use super::super::judge::{ERROR, Judge, scaled};
 use super::super::pictures::Row;
+use super::super::setup::InCode;
 use super::super::verdict::{Amount, Trial};
+use super::super::{Claim, Experiment, Item, Paper};
+use super::irradiance::{correlation, reflected, sum, uniform};
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
 use crate::running::truth::References;
 use crate::running::view::View;
-use glam::{DVec3, Vec3};
 use interreflect_estimators::Quantity;
 use interreflect_estimators::execution::LoadedScene;
-use interreflect_scene::{Estimate, PointLayout, Points};
-use std::f32::consts::FRAC_1_PI;
+use interreflect_scene::{Estimate, PointLayout};
+
+pub(super) const NEARER: Claim = Claim {
+    id: "C1",
+    says: "Few samples are nearer to the truth than no indirect light, and in shape than ambient light.",
+    rule: "A trial is a case and a backend: irradiance by 3×3 samples is nearer to path-traced truth, in \
+        mean squared error and beyond its noise, than no indirect light at all; and, up to one factor on its \
+        brightness, than the best uniform ambient light, which has the truth's mean colour.",
+};
+
+const ARRIVES: Claim = Claim {
+    id: "C2",
+    says: "Most of the truth's light arrives.",
+    rule: "A trial is a case and a backend: more than half of the sum of the truth.",
+};
+
+pub(super) const CORNELL_BOX: Experiment = Experiment {
+    id: "frisvad.bleeding",
+    paper: Paper::Frisvad,
+    item: Item::NotInThePaper,
+    title: "few samples in the Cornell box against path tracing",
+    setup: &InCode(cornell_box),
+    claims: &[
+        NEARER,
+        ARRIVES,
+        Claim {
+            id: "C3",
+            says: "The light has the truth's colours.",
+            rule: "A trial is an area or a spot light and a backend: the colours (red less green over \
+                their sum, weighted by the truth's brightness) correlate with the truth's by more \
+                than a half.",
+        },
+    ],
+};
+
+pub(super) const LANTERN: Experiment = Experiment {
+    id: "frisvad.lantern",
+    paper: Paper::Frisvad,
+    item: Item::NotInThePaper,
+    title: "few samples of a lantern in the cave against path tracing",
+    setup: &InCode(cave),
+    claims: &[NEARER, ARRIVES],
+};
 
 /// Least correlation of colours that passes for colour bleeding.
 const ALIKE: f64 = 0.5;
@@ -162,60 +205,10 @@ pub(super) fn compare(
     Ok(published)
 }
 
-/// The same colour at every point that has a surface: the mean of all.
-pub(super) fn uniform(of: &Estimate, points: &Points) -> Estimate {
-    let surfaces: Vec<usize> = (0..points.len())
-        .filter(|&i| points.get(i).is_some())
-        .collect();
-    let total: DVec3 = surfaces.iter().map(|&i| of.get(i).as_dvec3()).sum();
-    let mean = (total / surfaces.len().max(1) as f64).as_vec3();
-    let mut all = Estimate::new(of.len());
-    for i in surfaces {
-        all.set(i, mean);
-    }
-    all
-}
-
-/// What diffuse surfaces reflect of an irradiance.
-pub(super) fn reflected(materials: &Points, irradiance: &Estimate) -> Estimate {
-    let mut all = Estimate::new(irradiance.len());
-    for (i, point) in materials.iter().enumerate() {
-        let albedo = point.map_or(Vec3::ZERO, |p| p.material.diffuse);
-        all.set(i, irradiance.get(i) * albedo * FRAC_1_PI);
-    }
-    all
-}
-
-fn sum(estimate: &Estimate) -> DVec3 {
-    estimate.iter().map(|v| v.as_dvec3()).sum()
-}
-
-/// Pearson's correlation of red less green over their sum, weighted by the second one's sum: colours of
-/// what is nearly black are noise.
-pub(super) fn correlation(a: &Estimate, b: &Estimate) -> f64 {
-    let colour = |v: Vec3| {
-        let v = v.as_dvec3();
-        let sum = v.x + v.y;
-        (sum > 0.0).then(|| ((v.x - v.y) / sum, sum))
-    };
-    let pairs = a.iter().zip(b.iter()).filter_map(|(a, b)| {
-        let (a, (b, weight)) = (colour(a)?.0, colour(b)?);
-        Some((a, b, weight))
-    });
-    let pairs: Vec<(f64, f64, f64)> = pairs.collect();
-    let total: f64 = pairs.iter().map(|p| p.2).sum();
-    let mean =
-        |f: &dyn Fn(f64, f64) -> f64| pairs.iter().map(|p| p.2 * f(p.0, p.1)).sum::<f64>() / total;
-    let (ma, mb) = (mean(&|a, _| a), mean(&|_, b| b));
-    let covariance = mean(&|a, b| (a - ma) * (b - mb));
-    covariance / (mean(&|a, _| (a - ma).powi(2)) * mean(&|_, b| (b - mb).powi(2))).sqrt()
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::super::synthetic::{exact, of, signs};
     use super::*;
-    use interreflect_scene::Point;
 
     #[test]
     fn light_has_to_beat_none_and_ambient_and_to_arrive_in_its_colours() {
@@ -235,50 +228,5 @@ mod tests {
         let both = |light: &Published| signs([&enough("", light), &bleeds("", light)]);
         assert_eq!(both(&light(0.51, 0.49)), "+-");
         assert_eq!(both(&light(0.49, 0.51)), "-+");
-    }
-
-    #[test]
-    fn ambient_light_is_the_mean_and_diffuse_surfaces_reflect_by_pi() {
-        let at = |albedo| {
-            Some(Point {
-                normal: Vec3::Y,
-                material: interreflect_scene::SurfaceMaterial {
-                    diffuse: Vec3::splat(albedo),
-                    ..Default::default()
-                },
-                ..Point::default()
-            })
-        };
-        let points = Points::new(PointLayout::Material, [at(0.5), None, at(0.25)]);
-        let mean = uniform(&of(&[1.0, 7.0, 3.0]), &points);
-        let found: Vec<f32> = mean.iter().map(|v| v.y).collect();
-        assert_eq!(found, [2.0, 0.0, 2.0]);
-        let pi = std::f32::consts::PI;
-        let lit = reflected(&points, &of(&[pi, pi, 4.0 * pi]));
-        for (found, expected) in lit.iter().zip([0.5, 0.0, 1.0]) {
-            assert!((found.x - expected).abs() < 1e-6, "{found}");
-        }
-        assert_eq!(sum(&of(&[1.0, 2.0])), DVec3::splat(3.0));
-    }
-
-    #[test]
-    fn opposite_colours_correlate_negatively() {
-        let (mut a, mut b) = (Estimate::new(3), Estimate::new(3));
-        for (i, share) in [0.2_f32, 0.5, 0.8].into_iter().enumerate() {
-            a.set(i, Vec3::new(share, 1.0 - share, 0.0));
-            b.set(i, Vec3::new(1.0 - share, share, 0.0));
-        }
-        assert!((correlation(&a, &b) + 1.0).abs() < 1e-6);
-    }
-
-    #[test]
-    fn colours_correlate_whatever_their_brightness() {
-        let (mut a, mut b) = (Estimate::new(4), Estimate::new(4));
-        for i in 0..4 {
-            let red = i as f32;
-            a.set(i, Vec3::new(red, 3.0, 0.0));
-            b.set(i, Vec3::new(red, 3.0, 1.0) * (1.0 + red));
-        }
-        assert!((correlation(&a, &b) - 1.0).abs() < 1e-9);
     }
 }

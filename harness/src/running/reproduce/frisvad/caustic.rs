@@ -5,13 +5,40 @@ use super::super::experiment_scene::ExperimentScene;
 use super::super::finding::Finding;
 use super::super::judge::{ERROR, Judge};
 use super::super::pictures::Row;
+use super::super::setup::InCode;
 use super::super::verdict::{Amount, Trial};
-use super::bleeding::reflected;
+use super::super::{Claim, Experiment, Item, Paper};
+use super::irradiance::reflected;
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
+use crate::running::view::Shade;
 use glam::Vec3;
 use interreflect_estimators::Quantity;
 use interreflect_scene::{Estimate, Light, PointLayout, Scene};
+
+pub(super) const EXPERIMENT: Experiment = Experiment {
+    id: "frisvad.caustic",
+    paper: Paper::Frisvad,
+    item: Item::NotInThePaper,
+    title: "light over a mirror",
+    setup: &InCode(run),
+    claims: &[
+        Claim {
+            id: "C1",
+            says: "Light that a mirror brings is in the map.",
+            rule: "A trial is a backend: irradiance is nearer, in mean squared error, to the own model \
+                with the mirror than the same map is with a black mirror in its place. Path tracing \
+                finds no mirrored light of a point, so that the method's own model, an integral, is \
+                the reference.",
+        },
+        Claim {
+            id: "C2",
+            says: "As much of it arrives as the mirror brings.",
+            rule: "A trial is a bound and a backend: of the light that the mirror brings to all points \
+                between half and twice as much arrives.",
+        },
+    ],
+};
 
 /// From the lantern to the middle of the cave's mirror.
 const TO_MIRROR: Vec3 = Vec3::new(0.85, -1.2, -1.15);
@@ -28,7 +55,7 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
     let bright = turned(context.scene(&place, &mut finding)?);
     let black = turned(context.scene(&place.clone().set("mirror.specular", 0), &mut finding)?);
     let (bright, black) = (context.set_up(&bright)?, context.set_up(&black)?);
-    let view = context.view_of(&bright, context.pick(4_000, 20_000))?;
+    let view = context.view_of(&bright, (context.pick(4_000, 20_000), Shade::default()))?;
     let points = view.points(quantity.layout());
     let materials = view.points(PointLayout::Material);
     let model = context.method("direct_radiance_map", &[])?.model(quantity);

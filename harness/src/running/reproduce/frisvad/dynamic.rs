@@ -3,9 +3,13 @@
 use super::super::experiment_context::ExperimentContext;
 use super::super::experiment_scene::ExperimentScene;
 use super::super::finding::Finding;
+use super::super::setup::InCode;
 use super::super::verdict::{Amount, Trial};
+use super::super::{Claim, Experiment, Item, Paper};
 use super::super::{measured_run::amount_of, pictures::Row};
 use super::bleeding;
+use super::bleeding::NEARER;
+use super::irradiance;
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
 use crate::running::on_backend::Sequence;
@@ -13,6 +17,23 @@ use glam::Vec3;
 use interreflect_estimators::Quantity;
 use interreflect_scene::motion::Moves;
 use interreflect_scene::{Camera, Estimate, Light, PointLayout, Scene, SpotShape};
+
+pub(super) const EXPERIMENT: Experiment = Experiment {
+    id: "frisvad.motion",
+    paper: Paper::Frisvad,
+    item: Item::NotInThePaper,
+    title: "a light that moves through a large scene",
+    setup: &InCode(run),
+    claims: &[
+        Claim {
+            id: "C1",
+            says: "Every frame is complete by itself.",
+            rule: "A trial is a backend: over all frames a session that goes on from frame to frame \
+                estimates what a new one does, within a thousandth of the mean.",
+        },
+        Claim { id: "C2", ..NEARER },
+    ],
+};
 
 /// Largest difference over the mean that passes for the same estimate.
 const SAME: f64 = 1e-3;
@@ -72,7 +93,7 @@ fn frames(
         if index % count.div_ceil(4) == 0 {
             let direct = context.direct_light(&loaded, backend, &view)?;
             let materials = view.points(PointLayout::Material);
-            let reflected = bleeding::reflected(&materials, &on.estimate);
+            let reflected = irradiance::reflected(&materials, &on.estimate);
             row.add(format!("frame {index}"), view.lit(&reflected, &direct));
         }
     }

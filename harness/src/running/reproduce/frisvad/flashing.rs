@@ -6,13 +6,46 @@ use super::super::pictures::Row;
 use super::super::scene_setup::SceneSetup;
 use super::super::setup::Runs;
 use super::super::verdict::{Amount, Trial};
+use super::super::{Claim, Experiment, Item, Paper};
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
-use crate::running::view::View;
+use crate::running::view::{Shade, View};
 use glam::{Quat, Vec3};
 use interreflect_estimators::Quantity;
 use interreflect_scene::{Estimate, Light, Points, Scene};
 use serde::Serialize;
+
+/// Square lights that swing, wide enough to light several surfaces.
+const fn swinging(source: &'static str) -> SceneSetup {
+    SceneSetup::of(source).set(&[("light.angle", "95")])
+}
+
+pub(super) const EXPERIMENT: Experiment = Experiment {
+    id: "frisvad.flashing",
+    paper: Paper::Frisvad,
+    item: Item::Section("5"),
+    title: "flashing while the light moves",
+    setup: &Flashing {
+        scenes: [swinging("cornell-box"), swinging("cave")],
+        texels: 16,
+        samples: 3,
+    },
+    claims: &[
+        Claim {
+            id: "C1",
+            says: "Few samples make the light flash while it moves.",
+            rule: "A trial is a scene and a backend: flicker, the mean second difference from frame to \
+                frame over the mean, is more than twice that of a map of 64² texels, all taken. The \
+                light swings by 1° a frame.",
+        },
+        Claim {
+            id: "C2",
+            says: "Averaged radiance lessens the flashing.",
+            rule: "A trial is a scene and a backend: flicker with averaging is less than 80 % of that \
+                without.",
+        },
+    ],
+};
 
 /// How many times smoother a map of all texels is where few samples flash.
 const FLASHES: f64 = 2.0;
@@ -62,7 +95,7 @@ fn in_scene(
     let scene = setup.source;
     let rest = context.scene(&context.place(setup), finding)?;
     let loaded = context.set_up(&rest)?;
-    let view = context.view_of(&loaded, context.pick(5_000, 20_000))?;
+    let view = context.view_of(&loaded, (context.pick(5_000, 20_000), Shade::default()))?;
     let points = view.points(Quantity::Irradiance.layout());
     let sequences = sequences(context, &rest, &points, map_list)?;
     for (backend, maps) in context.backends().into_iter().zip(&sequences) {

@@ -5,12 +5,29 @@ use super::super::experiment_scene::ExperimentScene;
 use super::super::finding::Finding;
 use super::super::judge::{ERROR, Judge};
 use super::super::pictures::Row;
+use super::super::setup::InCode;
 use super::super::verdict::Trial;
+use super::super::{Claim, Experiment, Item, Paper};
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
 use glam::Vec3;
 use interreflect_estimators::Quantity;
 use interreflect_scene::Estimate;
+
+pub(super) const EXPERIMENT: Experiment = Experiment {
+    id: "frisvad.materials",
+    paper: Paper::Frisvad,
+    item: Item::NotInThePaper,
+    title: "a Cornell box of glossy walls",
+    setup: &InCode(run),
+    claims: &[Claim {
+        id: "C1",
+        says: "With true colours in the map, lit surfaces may reflect by any law.",
+        rule: "A trial is a fidelity and a backend: irradiance is nearer to path-traced truth, in mean \
+            squared error beyond its noise, where lit surfaces reflect by their whole material than by \
+            Lambert's law.",
+    }],
+};
 
 /// Share of a wall's albedo that becomes specular.
 const GLOSSY: f32 = 0.6;

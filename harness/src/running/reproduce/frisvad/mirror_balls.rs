@@ -6,11 +6,43 @@ use super::super::judge::Judge;
 use super::super::scene_setup::SceneSetup;
 use super::super::setup::Runs;
 use super::super::verdict::{Amount, Trial};
-use super::steps::{Grid, Step, row, take};
+use super::super::{Claim, Experiment, Item, Paper};
+use super::steps::{BALLS, GRID, Grid, Step, row, take};
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
 use interreflect_scene::Estimate;
 use serde::Serialize;
+
+pub(super) const EXPERIMENT: Experiment = Experiment {
+    id: "frisvad.8",
+    paper: Paper::Frisvad,
+    item: Item::Figure(8),
+    title: "two mirror balls without, with faked and with indirect light",
+    setup: &MirrorBalls {
+        scene: BALLS,
+        grid: GRID,
+    },
+    claims: &[
+        Claim {
+            id: "C1",
+            says: "The trick costs nothing.",
+            rule: "A trial is a backend: a frame with the trick takes less than 1.1 times as long as one \
+                without indirect light in mirrors, beyond the spread of both.",
+        },
+        Claim {
+            id: "C2",
+            says: "Included light is dearer.",
+            rule: "A trial is a backend: a frame with the light included takes longer than with the trick, \
+                beyond the spread of both.",
+        },
+        Claim {
+            id: "C3",
+            says: "The trick looks nearer to included light than its absence does.",
+            rule: "A trial is a backend: over the pixels that differ, the picture with the trick is nearer, in \
+                mean squared error, to that with the light included.",
+        },
+    ],
+};
 
 /// Most that the trick may cost beside leaving indirect light out.
 const NOTHING: f64 = 1.1;

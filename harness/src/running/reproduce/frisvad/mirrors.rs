@@ -5,8 +5,10 @@ use super::super::experiment_scene::ExperimentScene;
 use super::super::finding::Finding;
 use super::super::judge::{Judge, scaled};
 use super::super::pictures::Row;
+use super::super::setup::InCode;
 use super::super::verdict::{Amount, Trial};
-use super::bleeding::reflected;
+use super::super::{Claim, Experiment, Item, Paper};
+use super::irradiance::reflected;
 use crate::domain::image::HdrImage;
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
@@ -14,6 +16,29 @@ use crate::running::view::{Look, Mirrors, ShadedAt, View};
 use interreflect_estimators::Quantity;
 use interreflect_estimators::execution::LoadedScene;
 use interreflect_scene::{Estimate, PointLayout};
+
+pub(super) const EXPERIMENT: Experiment = Experiment {
+    id: "frisvad.mirrors",
+    paper: Paper::Frisvad,
+    item: Item::NotInThePaper,
+    title: "mirrors in the cave without, with faked and with indirect light",
+    setup: &InCode(run),
+    claims: &[
+        Claim {
+            id: "C1",
+            says: "Treating a mirror as diffuse hides that indirect light is missing in it.",
+            rule: "A trial is a backend: at the pixels of mirrors the trick is nearer to the picture \
+                with path-traced light than nothing is, in mean squared error beyond the reference's \
+                noise. Indirect light of all pictures is brought to the truth's by one factor, from \
+                all surfaces that are seen.",
+        },
+        Claim {
+            id: "C2",
+            says: "Light estimated at the surfaces seen in a mirror is right.",
+            rule: "A trial is a backend: as before, of included light against the trick.",
+        },
+    ],
+};
 
 /// The figure's pictures.
 const SHOWN: [(&str, Mirrors); 3] = [

@@ -3,12 +3,42 @@
 use super::super::experiment_context::ExperimentContext;
 use super::super::experiment_scene::ExperimentScene;
 use super::super::finding::Finding;
+use super::super::setup::InCode;
 use super::super::verdict::{Amount, Trial};
+use super::super::{Claim, Experiment, Item, Paper};
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
+use crate::running::view::Shade;
 use interreflect_estimators::Quantity;
 use interreflect_estimators::execution::LoadedScene;
-use interreflect_scene::Role;
+
+pub(super) const EXPERIMENT: Experiment = Experiment {
+    id: "frisvad.rates",
+    paper: Paper::Frisvad,
+    item: Item::NotInThePaper,
+    title: "frame rates over samples and triangles",
+    setup: &InCode(run),
+    claims: &[
+        Claim {
+            id: "C1",
+            says: "More samples take longer.",
+            rule: "A trial is a scene and a backend: a frame of 5×5 samples takes longer than one of \
+                2×2, beyond the spread of both. Frames hold capture, preparation and shading at as \
+                many points.",
+        },
+        Claim {
+            id: "C2",
+            says: "More triangles take longer.",
+            rule: "A trial is a number of samples and a backend: a frame of the scene of most \
+                triangles takes longer than one of the fewest, beyond the spread of both.",
+        },
+        Claim {
+            id: "C3",
+            says: "Frames are interactive.",
+            rule: "A trial is a scene and a backend: a frame of 5×5 samples takes less than a second.",
+        },
+    ],
+};
 
 /// Samples along the edge of the grid.
 const SAMPLES: [u32; 4] = [2, 3, 4, 5];
@@ -41,7 +71,7 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
     Ok(finding)
 }
 
-/// The Cornell box with a model that lights see.
+/// The Cornell box with a model in it.
 fn in_the_box<'a>(
     context: &ExperimentContext<'a>,
     model: Option<&str>,
@@ -56,11 +86,7 @@ fn in_the_box<'a>(
         ),
         None => ("box alone".into(), ExperimentScene::of("cornell-box")),
     };
-    let mut scene = context.scene(&place, finding)?;
-    for object in &mut scene.objects {
-        object.role = Role::Environment;
-    }
-    Ok((name, context.set_up(&scene)?))
+    Ok((name, context.load(&place, finding)?))
 }
 
 fn times(
@@ -69,7 +95,7 @@ fn times(
     (name, backend): (&str, Backend),
     finding: &mut Finding,
 ) -> Result<Vec<Amount>, RunError> {
-    let view = context.view(loaded)?;
+    let view = context.view_of(loaded, (context.points(), Shade::All))?;
     let points = view.points(Quantity::Irradiance.layout());
     let software = context.software(backend);
     let mut all = Vec::new();

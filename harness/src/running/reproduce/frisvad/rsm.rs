@@ -5,8 +5,11 @@ use super::super::experiment_scene::ExperimentScene;
 use super::super::finding::Finding;
 use super::super::pictures::Row;
 use super::super::scene_setup::SceneSetup;
+use super::super::setup::InCode;
 use super::super::setup::Runs;
 use super::super::verdict::{Amount, Trial};
+use super::super::{Claim, Experiment, Item, Paper};
+use super::steps::BOX;
 use crate::domain::image::HdrImage;
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
@@ -18,6 +21,37 @@ use interreflect_scene::RsmImage;
 use interreflect_scene::rsm::view_index;
 use serde::Serialize;
 use std::f32::consts::FRAC_1_PI;
+
+pub(super) const FIGURE_6: Experiment = Experiment {
+    id: "frisvad.6",
+    paper: Paper::Frisvad,
+    item: Item::Figure(6),
+    title: "positions, radiance and normals seen from the light",
+    setup: &LightPictures { scene: BOX },
+    claims: &[],
+};
+
+pub(super) const TEXELS: Experiment = Experiment {
+    id: "frisvad.rsm",
+    paper: Paper::Frisvad,
+    item: Item::NotInThePaper,
+    title: "contents of the reflective shadow map, texel by texel",
+    setup: &InCode(run),
+    claims: &[
+        Claim {
+            id: "C1",
+            says: "Photons lie on the surfaces that the light hits first.",
+            rule: "A trial is a scene and a backend: less than one in a hundred photons lies elsewhere \
+                than the place that a ray along its texel meets first, by a thousandth of the way.",
+        },
+        Claim {
+            id: "C2",
+            says: "They hold the light that is reflected there.",
+            rule: "A trial is a scene and a backend: radiance differs from ρ/π·E·cos α by less than \
+                1 % rms.",
+        },
+    ],
+};
 
 /// Largest share of photons that lie elsewhere, and largest error of radiance over its mean.
 const FEW: f64 = 0.01;

@@ -5,7 +5,8 @@ use super::super::finding::Finding;
 use super::super::pictures::Row;
 use super::super::scene_setup::SceneSetup;
 use super::super::verdict::{Amount, Trial};
-use super::bleeding::reflected;
+use super::super::{Claim, Experiment, Item, Paper};
+use super::irradiance::reflected;
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
 use crate::running::view::{Look, Mirrors, Shade, View};
@@ -13,6 +14,52 @@ use interreflect_estimators::execution::LoadedScene;
 use interreflect_estimators::{Configured, Quantity};
 use interreflect_scene::{DirectLight, Estimate, PointLayout, ReflectionLaw};
 use serde::Serialize;
+
+/// The Cornell box under a distant area light, by eq. 9.
+pub(super) const BOX: SceneSetup = SceneSetup::of("cornell-box").set(&[("light", "area")]);
+/// Two mirror balls in place of its blocks.
+pub(super) const BALLS: SceneSetup =
+    SceneSetup::of("cornell-box").set(&[("light", "area"), ("inside", "mirror_balls")]);
+pub(super) const CAVE: SceneSetup = SceneSetup::of("cave");
+pub(super) const CAVE_WITHOUT_MIRRORS: SceneSetup =
+    SceneSetup::of("cave").set(&[("mirrors", "false")]);
+
+pub(super) const FIGURE_3: Experiment = Experiment {
+    id: "frisvad.3",
+    paper: Paper::Frisvad,
+    item: Item::Figure(3),
+    title: "Cornell box: local shading, direct light, direct and indirect light",
+    setup: &EverDearer {
+        scenes: &[BOX],
+        steps: &[Step::BlinnPhong, Step::Direct, Step::Eq15],
+        grid: GRID,
+    },
+    claims: &[Claim {
+        id: "C1",
+        says: "Direct light by eq. 9 is dearer than Blinn-Phong, and indirect light dearer still: 769, 137 and 48.6 frames a second.",
+        rule: "A trial is a step to the next picture and a backend: its frame takes longer, beyond the \
+            spread of both. Blinn-Phong has no shadows; direct light is Lambert's with shadows, and part of \
+            the frame with indirect light. The lamp is a distant area light, seen 90° wide along its normal.",
+    }],
+};
+
+pub(super) const FIGURE_9: Experiment = Experiment {
+    id: "frisvad.9",
+    paper: Paper::Frisvad,
+    item: Item::Figure(9),
+    title: "a cave: direct light, with eq. 15, with eq. 14",
+    setup: &EverDearer {
+        scenes: &[CAVE, CAVE_WITHOUT_MIRRORS],
+        steps: &[Step::Direct, Step::Eq15, Step::Eq14],
+        grid: GRID,
+    },
+    claims: &[Claim {
+        id: "C1",
+        says: "Eq. 15 is dearer than direct light alone and eq. 14 than eq. 15, with mirrors (20.8, 11.9, 7.7 frames a second) and without (48.0, 18.4, 10.3).",
+        rule: "A trial is a scene, a step to the next picture and a backend: its frame takes longer, beyond the \
+            spread of both.",
+    }],
+};
 
 /// What of a picture from the light is used.
 #[derive(Clone, Copy, Debug, Serialize)]

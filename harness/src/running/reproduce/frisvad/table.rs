@@ -5,10 +5,65 @@ use super::super::finding::Finding;
 use super::super::scene_setup::SceneSetup;
 use super::super::setup::Runs;
 use super::super::verdict::{Amount, Trial};
-use super::steps::{Grid, Step, take};
+use super::super::{Claim, Experiment, Item, Paper};
+use super::steps::{BALLS, BOX, CAVE, CAVE_WITHOUT_MIRRORS, GRID, Grid, Step, take};
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
 use serde::Serialize;
+
+pub(super) const EXPERIMENT: Experiment = Experiment {
+    id: "frisvad.table1",
+    paper: Paper::Frisvad,
+    item: Item::Table(1),
+    title: "frame rates of the figures' scenes and of a large dragon",
+    setup: &FrameRates {
+        rows: &[
+            Rates {
+                scene: BOX,
+                steps: &[Step::BlinnPhong, Step::Direct, Step::Eq15],
+                rates: &[769.231, 137.3, 48.622],
+            },
+            Rates {
+                scene: BOX,
+                steps: &[Step::Eq11, Step::Eq15, Step::Eq14],
+                rates: &[48.622, 48.622, 20.87],
+            },
+            Rates {
+                scene: BALLS,
+                steps: &[
+                    Step::Eq14WithoutMirrored,
+                    Step::Eq14MirrorsAsDiffuse,
+                    Step::Eq14,
+                ],
+                rates: &[15.178, 15.178, 9.898],
+            },
+            Rates {
+                scene: CAVE,
+                steps: &[Step::Direct, Step::Eq15, Step::Eq14],
+                rates: &[20.761, 11.888, 7.695],
+            },
+            Rates {
+                scene: CAVE_WITHOUT_MIRRORS,
+                steps: &[Step::Direct, Step::Eq15, Step::Eq14],
+                rates: &[48.0, 18.4, 10.3],
+            },
+            Rates {
+                scene: SceneSetup::of("cornell-box")
+                    .with(&["dragon_871k"])
+                    .set(&[("light", "area"), ("receiver.size", "0.25")]),
+                steps: &[Step::Eq15, Step::Eq14],
+                rates: &[1.8, 0.92],
+            },
+        ],
+        grid: GRID,
+    },
+    claims: &[Claim {
+        id: "C1",
+        says: "In each row times stand in the ratios of the table.",
+        rule: "A trial is a bound, a picture beside the first of its row, and a backend: the ratio of their \
+            frames' times is within a factor of 2 of the paper's, beyond the spread of both.",
+    }],
+};
 
 /// How far a ratio of times may be from the paper's, as a factor either way.
 const FACTOR: f64 = 2.0;

@@ -7,8 +7,9 @@ use super::super::pictures::Row;
 use super::super::scene_setup::SceneSetup;
 use super::super::setup::Runs;
 use super::super::verdict::{Amount, Trial};
-use super::bleeding::reflected;
-use super::steps::{Grid, Step, take, view};
+use super::super::{Claim, Experiment, Item, Paper};
+use super::irradiance::reflected;
+use super::steps::{BOX, GRID, Grid, Step, take, view};
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
 use glam::Vec3;
@@ -16,6 +17,48 @@ use interreflect_estimators::Quantity;
 use interreflect_scene::{Estimate, Point, PointLayout};
 use serde::Serialize;
 use std::time::Instant;
+
+pub(super) const EXPERIMENT: Experiment = Experiment {
+    id: "frisvad.5",
+    paper: Paper::Frisvad,
+    item: Item::Figure(5),
+    title: "Cornell box by path tracing and by eq. 14",
+    setup: &AgainstPathTracing {
+        scene: BOX,
+        grid: GRID,
+    },
+    claims: &[
+        Claim {
+            id: "C1",
+            says: "The map is cruder, its bleeding more mixed over floor, ceiling and back wall.",
+            rule: "A trial is a backend: red less green over their sum has a smaller standard deviation over \
+                these walls than path tracing's.",
+        },
+        Claim {
+            id: "C2",
+            says: "Regions in shadow are too bright.",
+            rule: "A trial is a backend: the floor's mean irradiance where no direct light falls, over that \
+                where it does, is larger than path tracing's.",
+        },
+        Claim {
+            id: "C3",
+            says: "There is no bright spot above the tall box.",
+            rule: "A trial is a backend: the ceiling within 8 cm above the tall box, over all of the ceiling, is \
+                less bright than path tracing's.",
+        },
+        Claim {
+            id: "C4",
+            says: "The tall box is greener in front.",
+            rule: "A trial is a backend: green over red on the tall box's front is larger than path tracing's.",
+        },
+        Claim {
+            id: "C5",
+            says: "The map is thousands of times faster.",
+            rule: "A trial is a backend: a frame, direct light included, is more than 1000 times as fast as \
+                path tracing the indirect light on all processors, beyond its spread.",
+        },
+    ],
+};
 
 /// How many times faster at least.
 const FASTER: f64 = 1000.0;

@@ -4,13 +4,37 @@ use super::super::experiment_context::ExperimentContext;
 use super::super::experiment_scene::ExperimentScene;
 use super::super::finding::Finding;
 use super::super::pictures::Row;
+use super::super::setup::InCode;
 use super::super::verdict::{Amount, Trial};
+use super::super::{Claim, Experiment, Item, Paper};
 use super::environments::environments;
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
 use glam::Vec3;
 use interreflect_estimators::Quantity;
 use interreflect_scene::{Estimate, Point, PointLayout, Points, SurfaceMaterial};
+
+pub(super) const EXPERIMENT: Experiment = Experiment {
+    id: "kautz.seams",
+    paper: Paper::Kautz,
+    item: Item::NotInThePaper,
+    title: "seams of filtering each face by itself, level by level",
+    setup: &InCode(run),
+    claims: &[
+        Claim {
+            id: "C1",
+            says: "Levels that are filtered face by face show the edges of the cube.",
+            rule: "A trial is an environment, level and backend: across the cube's edges the published \
+                map steps more than three times as far as inside its faces, over the same angle.",
+        },
+        Claim {
+            id: "C2",
+            says: "Filtering across a border removes them.",
+            rule: "A trial is an environment, level and backend: the map that is filtered across edges \
+                steps less than half as far as the published one there.",
+        },
+    ],
+};
 
 /// Half a step, along a face of the cube of edge 2.
 const HALF_STEP: f32 = 0.002;

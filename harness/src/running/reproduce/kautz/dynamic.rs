@@ -8,7 +8,10 @@ use super::super::pictures::Row;
 use super::super::scene_setup::SceneSetup;
 use super::super::setup::Runs;
 use super::super::verdict::{Amount, Trial};
+use super::super::{Claim, Experiment, Item, Paper};
+use super::RESOLUTION;
 use super::biased;
+use super::studio;
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
 use crate::running::on_backend::Sequence;
@@ -16,6 +19,32 @@ use interreflect_estimators::Quantity;
 use interreflect_scene::PointLayout;
 use interreflect_scene::motion::Moves;
 use serde::Serialize;
+
+pub(super) const EXPERIMENT: Experiment = Experiment {
+    id: "kautz.dynamic",
+    paper: Paper::Kautz,
+    item: Item::Section("7"),
+    title: "lighting that changes in every frame",
+    setup: &Dynamic {
+        scene: studio(
+            &["bunny"],
+            &[
+                ("receiver.diffuse", "0.4"),
+                ("receiver.specular", "0.6"),
+                ("environment.turn_deg_per_s", "30"),
+            ],
+        ),
+        f_lambda: 0.24,
+        bias: 1.5,
+        resolution: RESOLUTION,
+    },
+    claims: &[Claim {
+        id: "C1",
+        says: "Diffuse and glossy reflections are filtered anew as the lighting changes, interactively.",
+        rule: "A trial is a backend: each frame of a session that goes on is that of a new session, within a \
+            thousandth of the mean, rms; and a frame, captures included, takes less than 100 ms.",
+    }],
+};
 
 /// A model while the environment turns.
 #[derive(Serialize)]

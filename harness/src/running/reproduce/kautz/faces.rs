@@ -6,11 +6,40 @@ use super::super::pictures::Row;
 use super::super::scene_setup::SceneSetup;
 use super::super::setup::Runs;
 use super::super::verdict::Amount;
+use super::super::{Claim, Experiment, Item, Paper};
 use super::border::{judged, mean_step, pairs};
+use super::studio;
+use super::{MIRRORING, RESOLUTION};
 use crate::running::error::RunError;
 use interreflect_estimators::{Configured, Quantity};
 use interreflect_scene::PointLayout;
 use serde::Serialize;
+
+pub(super) const EXPERIMENT: Experiment = Experiment {
+    id: "kautz.4",
+    paper: Paper::Kautz,
+    item: Item::Figure(4),
+    title: "faces of the cube at a high bias",
+    setup: &Faces {
+        scene: studio(&["sphere"], MIRRORING),
+        bias: 9.4,
+        resolution: RESOLUTION,
+    },
+    claims: &[
+        Claim {
+            id: "C1",
+            says: "At a high bias the six faces show.",
+            rule: "A trial is a backend: across the cube's edges the published map steps more than three \
+                times as far as inside its faces, over the same angle.",
+        },
+        Claim {
+            id: "C2",
+            says: "Filtering across faces avoids it.",
+            rule: "A trial is a backend: the map that is filtered across edges steps less than half as far \
+                there as the published one.",
+        },
+    ],
+};
 
 /// A mirroring object under an environment, and the bias on the level.
 #[derive(Serialize)]

@@ -8,7 +8,10 @@ use super::super::pictures::Row;
 use super::super::scene_setup::SceneSetup;
 use super::super::setup::Runs;
 use super::super::verdict::{Amount, Trial};
+use super::super::{Claim, Experiment, Item, Paper};
 use super::biased;
+use super::studio;
+use super::{GLOSSY, PIXELS, RESOLUTION};
 use crate::domain::image::HdrImage;
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
@@ -19,6 +22,41 @@ use interreflect_estimators::{Configured, Quantity};
 use interreflect_scene::motion::Moves;
 use interreflect_scene::{Estimate, Point, PointLayout, Points, SurfaceMaterial};
 use serde::Serialize;
+
+pub(super) const EXPERIMENT: Experiment = Experiment {
+    id: "kautz.6",
+    paper: Paper::Kautz,
+    item: Item::Figure(6),
+    title: "a grid over f_λ and b",
+    setup: &Grid {
+        scene: studio(&["buddha"], GLOSSY),
+        f_lambda: [0.03, 0.09, 0.26, 0.42],
+        bias: [0.0, 0.8, 1.7, 2.4],
+        resolution: RESOLUTION,
+        pixels: PIXELS,
+    },
+    claims: &[
+        Claim {
+            id: "C1",
+            says: "A larger f_λ is more reflective.",
+            rule: "A trial is a step of f_λ, a b and a backend: the picture is farther from that of \
+                f_λ = 0, rms.",
+        },
+        Claim {
+            id: "C2",
+            says: "A larger b is blurrier.",
+            rule: "A trial is a step of b, an f_λ and a backend: neighbouring pixels differ less, over \
+                their mean, in a picture of the mirrored light alone.",
+        },
+        Claim {
+            id: "C3",
+            says: "The frame rate is the same over the grid.",
+            rule: "A trial is a picture and a backend: a frame under light that stays takes less than \
+                1.25 times the median over the grid, beyond the spread of both. All pictures' frames \
+                are taken in turns.",
+        },
+    ],
+};
 
 /// A model under an environment, and the grid.
 #[derive(Serialize)]

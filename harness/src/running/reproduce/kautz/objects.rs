@@ -4,11 +4,34 @@ use super::super::experiment_context::ExperimentContext;
 use super::super::finding::Finding;
 use super::super::judge::Judge;
 use super::super::pictures::Row;
+use super::super::setup::InCode;
 use super::super::verdict::{Amount, Trial};
+use super::super::{Claim, Experiment, Item, Paper};
 use super::environments::environments;
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
 use interreflect_estimators::{OwnModel, Quantity};
+
+pub(super) const EXPERIMENT: Experiment = Experiment {
+    id: "kautz.harmonics",
+    paper: Paper::Kautz,
+    item: Item::NotInThePaper,
+    title: "nine harmonics against the exact convolution",
+    setup: &InCode(run),
+    claims: &[
+        Claim {
+            id: "C1",
+            says: "Nine harmonics of 8² texels a face light a diffuse object as the whole environment does.",
+            rule: "A trial is an environment and a backend: the irradiance differs from the exact \
+                convolution by less than 5 % rms of its mean.",
+        },
+        Claim {
+            id: "C2",
+            says: "Both maps are prepared anew sooner than one is convolved.",
+            rule: "A trial is an environment and a backend, beyond the spread of both times.",
+        },
+    ],
+};
 
 /// Largest rms error over the mean that passes for the same.
 const SAME: f64 = 0.05;

@@ -7,10 +7,37 @@ use super::super::pictures::Row;
 use super::super::scene_setup::SceneSetup;
 use super::super::setup::Runs;
 use super::super::verdict::{Amount, Trial};
+use super::super::{Claim, Experiment, Item, Paper};
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
 use interreflect_estimators::{OwnModel, Quantity};
 use serde::Serialize;
+
+pub(super) const EXPERIMENT: Experiment = Experiment {
+    id: "kautz.s5.1.1",
+    paper: Paper::Kautz,
+    item: Item::Section("5.1.1"),
+    title: "size of the map that spherical harmonics are projected from",
+    setup: &Projection {
+        scenes: [
+            SceneSetup::of("studio").with(&["bunny"]),
+            SceneSetup::of("studio")
+                .with(&["bunny"])
+                .under("blender_courtyard"),
+            SceneSetup::of("studio")
+                .with(&["bunny"])
+                .under("blender_interior"),
+        ],
+        texels: 8,
+        many_texels: 64,
+    },
+    claims: &[Claim {
+        id: "C1",
+        says: "8×8 texels a face are enough for accurate harmonics.",
+        rule: "A trial is an environment and a backend: irradiance from 8² texels differs from that from \
+            64² by less than nine harmonics from 64² differ from the exact convolution, rms.",
+    }],
+};
 
 /// A model under environments, and the sizes.
 #[derive(Serialize)]

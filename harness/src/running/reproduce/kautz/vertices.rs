@@ -7,11 +7,30 @@ use super::super::pictures::Row;
 use super::super::scene_setup::SceneSetup;
 use super::super::setup::Runs;
 use super::super::verdict::{Amount, Trial};
+use super::super::{Claim, Experiment, Item, Paper};
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
 use crate::running::view::{Look, ShadedAt};
 use interreflect_estimators::{OwnModel, Quantity};
 use serde::Serialize;
+
+pub(super) const EXPERIMENT: Experiment = Experiment {
+    id: "kautz.vertices",
+    paper: Paper::Kautz,
+    item: Item::Section("4.1"),
+    title: "diffuse part at vertices or at pixels",
+    setup: &Vertices {
+        scene: SceneSetup::of("studio")
+            .with(&["bunny"])
+            .under("blender_courtyard"),
+    },
+    claims: &[Claim {
+        id: "C1",
+        says: "The diffuse part need not be evaluated at every pixel: it varies slowly.",
+        rule: "A trial is a backend: a picture interpolated from vertices differs from one shaded at \
+            pixels by less than that differs from the exact convolution, rms.",
+    }],
+};
 
 /// A model under an environment.
 #[derive(Serialize)]

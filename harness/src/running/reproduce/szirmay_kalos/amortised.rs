@@ -1,4 +1,6 @@
 //! A kept cube map while the object moves away from where it was made, and one map for two objects.
+//!
+//! Longer than most: three claims of one setup, with their rules.
 
 use super::super::experiment_context::ExperimentContext;
 use super::super::experiment_scene::ExperimentScene;
@@ -8,6 +10,9 @@ use super::super::pictures::Row;
 use super::super::scene_setup::SceneSetup;
 use super::super::setup::Runs;
 use super::super::verdict::{Amount, Trial};
+use super::super::{Claim, Experiment, Item, Paper};
+use super::CAPTURE;
+use super::room;
 use super::room::localized;
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
@@ -16,6 +21,55 @@ use glam::Vec3;
 use interreflect_estimators::{Configured, Quantity};
 use interreflect_scene::{Estimate, Points, Role};
 use serde::Serialize;
+
+pub(super) const EXPERIMENT: Experiment = Experiment {
+    id: "szirmay-kalos.amortised",
+    paper: Paper::SzirmayKalos,
+    item: Item::Section("2"),
+    title: "one cube map for several frames and objects",
+    setup: &Amortised {
+        scene: room(
+            &["bunny"],
+            &[
+                ("ceiling", "green"),
+                ("divider", "0.9"),
+                ("block", "false"),
+                ("reference.offset", "0"),
+                ("receiver.size", "0.5"),
+                ("receiver.diffuse", "0.8"),
+                ("receiver.specular", "0"),
+            ],
+        ),
+        resolution: 4,
+        capture_resolution: CAPTURE,
+        moved_m: [0.0, 0.125, 0.25, 0.5],
+        near_m: 0.25,
+        objects: 2,
+    },
+    claims: &[
+        Claim {
+            id: "C1",
+            says: "One map serves several close objects.",
+            rule: "A trial is time or error on a backend: one map between two objects takes less time than \
+                a map in the middle of each that shades its own object's points alone, beyond the \
+                spread of both; and its mean squared error against the truth is less than twice that \
+                of a map each.",
+        },
+        Claim {
+            id: "C2",
+            says: "A kept map saves the cost of making it.",
+            rule: "A trial is a distance moved and a backend: a frame with the kept map takes less time \
+                than one with a fresh map, beyond the spread of both.",
+        },
+        Claim {
+            id: "C3",
+            says: "It has to be made again only when the object has moved far.",
+            rule: "A trial is a distance up to a quarter of the half-width of the room, and a backend: the \
+                kept map's mean squared error is less than twice the fresh one's, beyond the \
+                reference's noise.",
+        },
+    ],
+};
 
 /// An object that moves away from where its map was made, and several objects that share a map.
 #[derive(Serialize)]

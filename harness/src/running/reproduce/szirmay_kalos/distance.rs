@@ -6,6 +6,8 @@ use super::super::judge::{ERROR, Judge};
 use super::super::scene_setup::SceneSetup;
 use super::super::setup::Runs;
 use super::super::verdict::{Amount, Trial};
+use super::super::{Claim, Experiment, Item, Paper};
+use super::CAPTURE;
 use super::room::{classic, directions};
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
@@ -14,6 +16,33 @@ use interreflect_estimators::Quantity;
 use interreflect_estimators::execution::LoadedScene;
 use interreflect_scene::{Point, PointLayout, Points};
 use serde::Serialize;
+
+pub(super) const EXPERIMENT: Experiment = Experiment {
+    id: "szirmay-kalos.distance",
+    paper: Paper::SzirmayKalos,
+    item: Item::Section("2"),
+    title: "error of classic mapping over the distance from the reference point",
+    setup: &Distance {
+        scene: SceneSetup::of("colored-room").set(&[
+            ("ceiling", "green"),
+            ("divider", "0.9"),
+            ("block", "false"),
+            ("reference.place", "room"),
+            ("reference.offset", "0"),
+            ("receiver.place", "floor"),
+            ("receiver.size", "0.01"),
+        ]),
+        ratios: [0.0, 0.2, 0.4, 0.6, 0.8],
+        capture_resolution: CAPTURE,
+    },
+    claims: &[Claim {
+        id: "C1",
+        says: "The error grows with the distance from the reference point over that of the walls.",
+        rule: "A trial is a step of that ratio on a backend: irradiance towards six sides, at points \
+            towards 26 directions, has a larger mean squared error against path-traced truth than at the \
+            ratio before, beyond the noise of both.",
+    }],
+};
 
 /// A room, and how far points lie from its reference point.
 #[derive(Serialize)]

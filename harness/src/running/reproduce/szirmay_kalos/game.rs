@@ -6,6 +6,9 @@ use super::super::measured_run::amount_of;
 use super::super::pictures::Row;
 use super::super::scene_setup::SceneSetup;
 use super::super::setup::Runs;
+use super::super::{Experiment, Item, Paper};
+use super::CAPTURE;
+use super::room;
 use super::room::localized;
 use crate::running::error::RunError;
 use crate::running::view::Look;
@@ -13,6 +16,35 @@ use interreflect_estimators::Quantity;
 use interreflect_scene::ReflectionLaw;
 use serde::Serialize;
 use std::time::Instant;
+
+pub(super) const EXPERIMENT: Experiment = Experiment {
+    id: "szirmay-kalos.9",
+    paper: Paper::SzirmayKalos,
+    item: Item::Figure(9),
+    title: "time of a frame of glossy objects",
+    setup: &Game {
+        scene: room(
+            &["dragon"],
+            &[
+                ("ceiling", "green"),
+                ("divider", "0.7"),
+                ("block", "false"),
+                ("reference.place", "room"),
+                ("reference.offset", "0"),
+                ("receivers", "2"),
+                ("receiver.size", "0.5"),
+                ("receiver.diffuse", "0.4"),
+                ("receiver.specular", "0.4"),
+                ("receiver.shininess", "5"),
+            ],
+        ),
+        pixels: 700,
+        resolution: 4,
+        capture_resolution: CAPTURE,
+        frames: 10,
+    },
+    claims: &[],
+};
 
 /// A scene, and the size of its picture.
 #[derive(Serialize)]

@@ -2,11 +2,15 @@
 
 use super::super::experiment_context::ExperimentContext;
 use super::super::finding::Finding;
+use super::super::heights::heights;
 use super::super::judge::{Judge, scaled};
 use super::super::pictures::Row;
 use super::super::scene_setup::SceneSetup;
 use super::super::setup::Runs;
 use super::super::verdict::{Amount, Trial};
+use super::super::{Claim, Experiment, Item, Paper};
+use super::CAPTURE;
+use super::room;
 use super::room::{UNSHADOWED, classic, localized};
 use crate::domain::record::Backend;
 use crate::domain::significance::NOISE_DEVIATIONS;
@@ -15,6 +19,42 @@ use glam::DVec3;
 use interreflect_estimators::Quantity;
 use interreflect_scene::{Estimate, Points};
 use serde::Serialize;
+
+pub(super) const EXPERIMENT: Experiment = Experiment {
+    id: "szirmay-kalos.3",
+    paper: Paper::SzirmayKalos,
+    item: Item::Figure(3),
+    title: "specular buddha under a green ceiling",
+    setup: &Head {
+        scene: room(
+            &["buddha"],
+            &[
+                ("ceiling", "green"),
+                ("divider", "0.9"),
+                ("block", "false"),
+                ("reference.place", "room"),
+                ("reference.offset", "0"),
+                ("receiver.place", "ceiling"),
+                ("receiver.size", "0.7"),
+                ("receiver.diffuse", "0"),
+                ("receiver.specular", "0.8"),
+                ("receiver.shininess", "5"),
+            ],
+        ),
+        head: 0.15,
+        resolution: 4,
+        capture_resolution: CAPTURE,
+    },
+    claims: &[Claim {
+        id: "C1",
+        says: "The head should be greenish under the green ceiling, and is not by classic mapping.",
+        rule: "The buddha's head is under the ceiling, the reference point in the middle of the room. \
+            A trial is one of these on a backend, by the share of green in the light of the head's \
+            points: in the reference the head is greener than the lower half; by classic mapping it is \
+            less green than in the reference; and the localized map's share is nearer to the \
+            reference's than classic mapping's, beyond the reference's noise.",
+    }],
+};
 
 /// A model under the ceiling.
 #[derive(Serialize)]
@@ -77,19 +117,9 @@ impl Runs for Head {
 impl Head {
     /// Indices of the points of the head, and of those of the lower half.
     fn parts(&self, points: &Points) -> (Vec<usize>, Vec<usize>) {
-        let heights: Vec<(usize, f32)> = points
-            .iter()
-            .enumerate()
-            .filter_map(|(i, point)| Some((i, point?.position.y)))
-            .collect();
-        let low = heights.iter().map(|h| h.1).fold(f32::INFINITY, f32::min);
-        let high = heights
-            .iter()
-            .map(|h| h.1)
-            .fold(f32::NEG_INFINITY, f32::max);
-        let share = |y: f32| f64::from((y - low) / (high - low));
+        let heights = heights(points);
         let of = |part: &dyn Fn(f64) -> bool| {
-            let inside = heights.iter().filter(|(_, y)| part(share(*y)));
+            let inside = heights.iter().filter(|(_, share)| part(*share));
             inside.map(|(i, _)| *i).collect()
         };
         (of(&|y| y > 1.0 - self.head), of(&|y| y < 0.5))

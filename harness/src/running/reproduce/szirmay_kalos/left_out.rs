@@ -7,6 +7,10 @@ use super::super::pictures::Row;
 use super::super::scene_setup::SceneSetup;
 use super::super::setup::Runs;
 use super::super::verdict::{Amount, Trial};
+use super::super::{Claim, Experiment, Item, Paper};
+use super::CAPTURE;
+use super::room;
+use super::room::DIFFUSE;
 use super::room::{BOUNCES, UNSHADOWED, directions, localized};
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
@@ -15,6 +19,66 @@ use interreflect_estimators::execution::LoadedScene;
 use interreflect_estimators::{OwnModel, Quantity};
 use interreflect_scene::Points;
 use serde::Serialize;
+
+pub(super) const HIDDEN: Experiment = Experiment {
+    id: "szirmay-kalos.hidden",
+    paper: Paper::SzirmayKalos,
+    item: Item::Section("1"),
+    title: "surfaces that the reference point does not see",
+    setup: &LeftOut {
+        scene: room(
+            &["bunny"],
+            &[
+                ("ceiling", "green"),
+                ("divider", "0.7"),
+                ("block", "false"),
+                ("reference.place", "room"),
+                ("reference.offset", "0"),
+                ("receiver.size", "0.4"),
+                ("receiver.diffuse", "0.8"),
+                ("receiver.specular", "0"),
+            ],
+        ),
+        left_out: Left::Hidden,
+        cases: &[
+            ("receiver.moved", "0"),
+            ("receiver.moved", "0.3"),
+            ("receiver.moved", "0.55"),
+        ],
+        resolution: 4,
+        capture_resolution: CAPTURE,
+    },
+    claims: &[Claim {
+        id: "C1",
+        says: "Surfaces that the reference point does not see cause no noticeable error.",
+        rule: "The bunny is moved from the reference point past the divider's end, so that it sees what is behind. \
+            A trial is a place: light from the surfaces that the reference point sees differs by less \
+            than 5 % rms of the mean from all light, the model's shadows on itself left out of both. Or \
+            a place and a backend: a map's mean squared error against all light is less than twice that \
+            against the light of those surfaces.",
+    }],
+};
+
+pub(super) const SELF_SHADOWING: Experiment = Experiment {
+    id: "szirmay-kalos.self-shadowing",
+    paper: Paper::SzirmayKalos,
+    item: Item::Section("1"),
+    title: "shadows of indirect light that a model casts on itself",
+    setup: &LeftOut {
+        scene: room(&["bunny"], DIFFUSE),
+        left_out: Left::SelfShadowing,
+        cases: &[("receiver.place", "middle"), ("receiver.place", "halfway")],
+        resolution: 4,
+        capture_resolution: CAPTURE,
+    },
+    claims: &[Claim {
+        id: "C1",
+        says: "Shadows of indirect light are not important to the eye.",
+        rule: "A trial is a place: light without the model's shadows on itself differs by less than 5 % \
+            rms of the mean from all light. Or a place and a backend: a map's mean squared error against \
+            all light is less than twice that against light without those shadows.",
+    }],
+};
 
 /// What a map leaves out.
 #[derive(Clone, Copy, Debug, Serialize)]

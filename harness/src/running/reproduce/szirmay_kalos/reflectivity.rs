@@ -7,10 +7,34 @@ use super::super::pictures::Row;
 use super::super::scene_setup::SceneSetup;
 use super::super::setup::Runs;
 use super::super::verdict::{Amount, Trial};
+use super::super::{Claim, Experiment, Item, Paper};
+use super::CAPTURE;
+use super::room;
+use super::room::SPECULAR;
 use super::room::{Reflection, UNSHADOWED, localized};
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
 use serde::Serialize;
+
+pub(super) const EXPERIMENT: Experiment = Experiment {
+    id: "szirmay-kalos.reflectivity",
+    paper: Paper::SzirmayKalos,
+    item: Item::Section("3"),
+    title: "average reflectivity by one sample or from a table",
+    setup: &Reflectivities {
+        scene: room(&["bunny"], SPECULAR),
+        reflection: Reflection::Specular,
+        resolutions: [2, 4],
+        capture_resolution: CAPTURE,
+        reflectivities: ["sample", "table"],
+    },
+    claims: &[Claim {
+        id: "C1",
+        says: "The average reflectivity is had by one sample or from a table, either way.",
+        rule: "A trial is an M and a backend: with one sample the mean squared error against a path-traced \
+            reference is less than twice that with the table, each up to one factor on its brightness.",
+    }],
+};
 
 /// A model in the room, and maps of few texels.
 #[derive(Serialize)]
