@@ -32,6 +32,7 @@ pub fn direct_light(
     out: &GpuEstimate,
     how: DirectLight,
 ) -> Result<(), GpuError> {
+    out.clear(cx);
     let Some(lights) = &scene.lights else {
         return Ok(());
     };

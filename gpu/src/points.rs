@@ -1,6 +1,6 @@
 //! Points and estimates on the GPU: the same bytes as on the host.
 
-use crate::{Binding, GpuContext, GpuError};
+use crate::{Binding, GpuContext, GpuCx, GpuError};
 use bytemuck::{Pod, Zeroable};
 use interreflect_scene::{Estimate, LANES, PointLayout, Points};
 
@@ -128,6 +128,11 @@ impl GpuEstimate {
     /// Whether there are no points.
     pub fn is_empty(&self) -> bool {
         self.len == 0
+    }
+
+    /// Records that it is zero.
+    pub(crate) fn clear(&self, cx: &mut GpuCx) {
+        cx.encoder().clear_buffer(&self.buffer, 0, None);
     }
 
     /// Reads the estimate back.

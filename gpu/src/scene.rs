@@ -3,7 +3,9 @@
 use crate::{GpuContext, GpuError, lights};
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec3};
-use interreflect_scene::{self as host, Environment, Light, Material, Mesh, Role, Scene};
+use interreflect_scene::{
+    self as host, Environment, Light, Material, Mesh, Role, Scene, Surroundings,
+};
 
 /// A corner of a triangle, as the vertex shaders read it.
 #[repr(C)]
@@ -61,8 +63,8 @@ pub struct GpuScene {
     pub(crate) environment: Option<GpuEnvironment>,
     /// Around what cube captures see.
     pub(crate) bounds: Bounds,
-    /// Box around all surfaces.
-    pub(crate) extent: host::Bounds,
+    /// What views from the lights are aimed at.
+    pub(crate) surroundings: Surroundings,
     /// Where views from the lights are taken.
     pub(crate) view_lights: Vec<Light>,
     /// Unit normals at the corners of each drawn triangle; `None` for a scene without mirrors.
@@ -92,7 +94,7 @@ impl GpuScene {
             materials.push(GpuMaterial::zeroed());
         }
         let bounds = Bounds::around(&host::Bounds::of_captured(scene));
-        let extent = host::Bounds::of_all(scene);
+        let surroundings = Surroundings::of(scene);
         let usage = wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::STORAGE;
         let buffer = context.filled_buffer("triangles", bytemuck::cast_slice(&vertices), usage)?;
         let environment = scene.environment.as_ref();
@@ -102,12 +104,16 @@ impl GpuScene {
             all_vertex_count: vertices.len() as u32,
             triangles: captured.iter().map(|d| d.index).collect(),
             materials: context.storage("materials", &materials)?,
-            lights: lights::GpuLights::new(context, &scene.lights, Bounds::around(&extent))?,
+            lights: lights::GpuLights::new(
+                context,
+                &scene.lights,
+                Bounds::around(&surroundings.all),
+            )?,
             environment: environment
                 .map(|e| GpuEnvironment::new(context, e))
                 .transpose()?,
             bounds,
-            extent,
+            surroundings,
             view_lights: scene.lights.clone(),
             corner_normals: corner_normals(context, scene, all())?,
         })

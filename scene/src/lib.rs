@@ -38,7 +38,7 @@ pub use directional_depth::{BoundingSphere, DepthMap, DirectionalDepthSpec, Dire
 pub use environment::{Environment, LatLongImage};
 pub use error::{Place, SceneError};
 pub use light::{Incident, Light, LightPicture, SpotShape};
-pub use light_frame::{LightFrame, Projection, light_frames};
+pub use light_frame::{LightFrame, Projection, Surroundings, light_frames};
 pub use light_paths::LightPaths;
 pub use load::{SceneRequest, open, open_points};
 pub use material::{DirectLight, Material, ReflectionLaw};

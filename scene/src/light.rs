@@ -32,7 +32,7 @@ pub enum Light {
         position: Vec3,
         /// Radiant intensity in W/sr; a flux Φ is 4π times as much.
         intensity: Vec3,
-        /// Where it takes its picture; `None`: 90° wide, towards the middle of the scene.
+        /// Where it takes its picture; `None`: 90° wide, towards the middle of what is no receiver.
         picture: Option<LightPicture>,
     },
     /// A point light inside a frustum.
@@ -106,16 +106,6 @@ pub fn upright(axis: Vec3) -> Vec3 {
 }
 
 impl Light {
-    /// Where the light is, in metres; `None` for parallel light.
-    pub fn position(&self) -> Option<Vec3> {
-        match *self {
-            Light::Point { position, .. }
-            | Light::Spot { position, .. }
-            | Light::Area { position, .. } => Some(position),
-            Light::Directional { .. } => None,
-        }
-    }
-
     /// What arrives at `x`, or `None` where the light does not shine or `x` is at the light.
     pub fn incident(&self, x: Vec3) -> Option<Incident> {
         let from = |position: Vec3| {

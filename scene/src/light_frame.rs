@@ -76,16 +76,50 @@ impl LightFrame {
     }
 }
 
+/// What the views of lights are aimed at.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Surroundings {
+    /// Box around all surfaces.
+    pub all: Bounds,
+    /// Middle of the objects with [`Role::Environment`](crate::Role::Environment), or of all where there are none: it
+    /// stays where it is while receivers move.
+    pub middle: Vec3,
+}
+
+impl Surroundings {
+    /// Of a scene.
+    pub fn of(scene: &Scene) -> Self {
+        let all = Bounds::of_all(scene);
+        let captured = Bounds::of_captured(scene);
+        let aimed_at = match scene.facts().captured_surfaces {
+            true => captured,
+            false => all,
+        };
+        Self {
+            all,
+            middle: aimed_at.centre(),
+        }
+    }
+
+    /// All surfaces are in a box, in whose middle their middle is.
+    pub fn within(bounds: Bounds) -> Self {
+        Self {
+            all: bounds,
+            middle: bounds.centre(),
+        }
+    }
+}
+
 impl Light {
     /// The frames of a light's views.
     ///
     /// [`RsmViews::Picture`]: one square. A spot light looks along its axis with its full angle, a
-    /// point or area light where its picture is ([`LightPicture`]), a directional light at the sphere of
-    /// `bounds`. [`RsmViews::Surround`]: the frames that together see all that the light may shine on:
+    /// point or area light where its picture is ([`LightPicture`]), a directional light at the sphere
+    /// around all surfaces. [`RsmViews::Surround`]: the frames that together see all that the light may shine on:
     /// of a point light the six faces of a cube, of an area light the five that look into its
     /// half-space, of the others the same one square. Where a view is wider than the light, its rays
     /// carry none: [`Light::incident`] says so.
-    pub fn frames(&self, light: u32, bounds: &Bounds, views: RsmViews) -> Vec<LightFrame> {
+    pub fn frames(&self, light: u32, around: &Surroundings, views: RsmViews) -> Vec<LightFrame> {
         let frame = |origin, axis, right, down, half| LightFrame {
             light,
             origin,
@@ -114,7 +148,7 @@ impl Light {
                 RsmViews::Picture,
             ) => {
                 let ahead = || {
-                    let inwards = (bounds.centre() - position).try_normalize();
+                    let inwards = (around.middle - position).try_normalize();
                     LightPicture::towards(inwards.unwrap_or(Vec3::NEG_Y), PICTURE_DEG)
                 };
                 pictured(position, picture.unwrap_or_else(ahead))
@@ -163,8 +197,8 @@ impl Light {
             (Self::Directional { direction, .. }, _) => {
                 let (u, v) = direction.any_orthonormal_pair();
                 // A little more than the sphere, so that its rim lies inside the view.
-                let half = (1.01 * bounds.radius()).max(f32::MIN_POSITIVE);
-                let origin = bounds.centre() - direction * half;
+                let half = (1.01 * around.all.radius()).max(f32::MIN_POSITIVE);
+                let origin = around.all.centre() - direction * half;
                 vec![LightFrame {
                     projection: Projection::Orthographic,
                     ..frame(origin, direction, u, v, half)
@@ -180,15 +214,15 @@ const PICTURE_DEG: f32 = 90.0;
 impl Scene {
     /// The frames of all lights' views, light by light.
     pub fn light_frames(&self, views: RsmViews) -> Vec<LightFrame> {
-        light_frames(&self.lights, &Bounds::of_all(self), views)
+        light_frames(&self.lights, &Surroundings::of(self), views)
     }
 }
 
-/// The frames of the views of `lights`, light by light, of surfaces within `bounds`.
-pub fn light_frames(lights: &[Light], bounds: &Bounds, views: RsmViews) -> Vec<LightFrame> {
+/// The frames of the views of `lights`, light by light.
+pub fn light_frames(lights: &[Light], around: &Surroundings, views: RsmViews) -> Vec<LightFrame> {
     let lights = (0..).zip(lights);
     lights
-        .flat_map(|(i, l)| l.frames(i, bounds, views))
+        .flat_map(|(i, l)| l.frames(i, around, views))
         .collect()
 }
 

@@ -52,7 +52,7 @@ pub struct RsmChannels {
     pub true_colors: bool,
 }
 
-/// What the views of a light show of all that it shines on.
+/// Which views of a light there are.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum RsmViews {
     /// One view from each light, in the direction of its picture.
@@ -103,9 +103,9 @@ impl Needs {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SceneFacts {
     /// There are surfaces to capture.
-    pub surfaces: bool,
+    pub captured_surfaces: bool,
     /// There are surfaces, receivers included: lights may shine on them, and they may lie between a point and the sky.
-    pub occluders: bool,
+    pub any_surface: bool,
     /// Radiance arrives from infinitely far away.
     pub environment: bool,
     /// Number of point, spot, directional and area lights.

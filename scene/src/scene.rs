@@ -80,10 +80,10 @@ impl Scene {
                 .map(|&m| &self.materials[m as usize])
         };
         SceneFacts {
-            surfaces: self
+            captured_surfaces: self
                 .objects_of(Role::Environment)
                 .any(|o| !o.mesh.triangles.is_empty()),
-            occluders: self.objects.iter().any(|o| !o.mesh.triangles.is_empty()),
+            any_surface: self.objects.iter().any(|o| !o.mesh.triangles.is_empty()),
             environment: self.environment.is_some(),
             lights: self.lights.len() as u32,
             emitters: used().any(|m| m.emission != Vec3::ZERO),

@@ -55,7 +55,7 @@ impl Method for DirectRadianceMap {
                     .into(),
             ));
         }
-        if !scene.occluders {
+        if !scene.any_surface {
             return Err(Unsupported(
                 "there is no surface that the lights could shine on: add a mesh".into(),
             ));

@@ -27,7 +27,7 @@ pub enum TexelOf {
     Texture,
 }
 
-/// What a light is pictured from.
+/// How many pictures a light takes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Pictures {

@@ -7,7 +7,7 @@ use super::math::{
 use super::samples::{photons, samples};
 use super::{DirectRadianceMap, Method, Quantity, SolidAngle, Surface, TexelOf};
 use interreflect_scene::params::Fidelity;
-use interreflect_scene::{Bounds, Light, RsmImage, RsmViews, SceneFacts, SpotShape};
+use interreflect_scene::{Bounds, Light, RsmImage, RsmViews, SceneFacts, SpotShape, Surroundings};
 use std::f64::consts::PI;
 
 /// With exact areas the flux of a texel is what the light sends into it: A·L = ρ·I·Δω/π, whatever
@@ -34,7 +34,7 @@ fn equal_angle_texels_do_not_fill_the_view() {
         intensity: glam::Vec3::ONE,
         picture: None,
     };
-    let frame = light.frames(0, &Bounds::default(), RsmViews::Surround)[0];
+    let frame = light.frames(0, &Surroundings::default(), RsmViews::Surround)[0];
     let w = 256;
     let texel = equal_angle_texel(frame.full_angle(), w);
     let total = texel * f64::from(w * w) / (2.0 * PI / 3.0);
@@ -78,7 +78,7 @@ fn samples_are_the_texels_at_the_middles_of_cells() {
         intensity: glam::Vec3::ONE,
         picture: None,
     };
-    let frames = light.frames(0, &Bounds::default(), RsmViews::Surround);
+    let frames = light.frames(0, &Surroundings::default(), RsmViews::Surround);
     let params = |w, n, texel| DirectRadianceMap {
         map_resolution: w,
         samples_per_side: n,
@@ -108,7 +108,7 @@ fn averaged_cells_keep_the_flux() {
         angle_deg: 120.0,
         intensity: glam::Vec3::ONE,
     };
-    let frames = light.frames(0, &Bounds::default(), RsmViews::Surround);
+    let frames = light.frames(0, &Surroundings::default(), RsmViews::Surround);
     let params = DirectRadianceMap {
         map_resolution: 20,
         fidelity: Fidelity::Corrected,
@@ -152,7 +152,7 @@ fn averaged_cells_keep_the_flux() {
 #[test]
 fn needs_are_no_more_than_the_formula_knows() {
     let lit = SceneFacts {
-        occluders: true,
+        any_surface: true,
         lights: 1,
         ..SceneFacts::default()
     };
@@ -192,7 +192,7 @@ fn what_can_not_work_says_why() {
         needs.unwrap_err().to_string()
     };
     let lit = SceneFacts {
-        occluders: true,
+        any_surface: true,
         lights: 1,
         ..SceneFacts::default()
     };
@@ -202,7 +202,7 @@ fn what_can_not_work_says_why() {
         reason(
             &params,
             &SceneFacts {
-                occluders: false,
+                any_surface: false,
                 ..lit
             }
         )

@@ -109,7 +109,7 @@ enum Source<'a> {
 
 impl<'a> Source<'a> {
     fn new(method: &DirectionalAo, inputs: &Inputs<'a, Cpu>) -> Result<Self, EstimatorError> {
-        Ok(match (inputs.scene.occluders, method.visibility) {
+        Ok(match (inputs.scene.any_surface, method.visibility) {
             (false, _) => Self::Open,
             (true, Visibility::Rays) => {
                 let below = method.below_horizon == BelowHorizon::Signed;

@@ -177,7 +177,7 @@ impl DirectionalAo {
         (step, towards): (&Step, &[Vec3]),
     ) -> Result<(), EstimatorError> {
         let (context, gpu_points) = (frame.context().clone(), frame.points);
-        let depths = match frame.scene.occluders {
+        let depths = match frame.scene.any_surface {
             true => Some(frame.depths(&self.depths())?),
             false => None,
         };

@@ -61,11 +61,11 @@ impl Method for DirectionalAo {
             ));
         }
         let rays = self.visibility == Visibility::Rays;
-        let maps = (scene.occluders && !rays).then(|| self.depths());
+        let maps = (scene.any_surface && !rays).then(|| self.depths());
         Ok(Needs {
             directional_depths: maps.into_iter().collect(),
             environment: coloured,
-            light_transport: scene.occluders && rays,
+            light_transport: scene.any_surface && rays,
             ..Needs::default()
         })
     }

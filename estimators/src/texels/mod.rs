@@ -23,8 +23,8 @@ pub fn capture(
         size: capture_resolution.next_multiple_of(resolution),
         channels: CubeChannels {
             radiance: true,
-            distance: scene.surfaces,
-            normal: scene.surfaces && normals,
+            distance: scene.captured_surfaces,
+            normal: scene.captured_surfaces && normals,
         },
         bounces,
     }

@@ -262,6 +262,8 @@ impl GpuDirectionalDepths {
                 pending = 0;
             }
         }
+        // What the next batch asks is not known here.
+        cx.finish_pending()?;
         Ok(answers)
     }
 }

@@ -86,11 +86,11 @@ impl Frame {
 /// [`MAX_MIRRORED_TRIANGLES`], or another [`GpuError`] if the device has no room.
 pub fn capture_rsms(cx: &mut GpuCx, scene: &GpuScene, spec: RsmSpec) -> Result<GpuRsm, GpuError> {
     let context = cx.context().clone();
-    let from = light_frames(&scene.view_lights, &scene.extent, spec.views);
+    let from = light_frames(&scene.view_lights, &scene.surroundings, spec.views);
     let count = from.len() as u32;
-    let extent = Bounds::around(&scene.extent);
+    let extent = Bounds::around(&scene.surroundings.all);
     let frames: Vec<_> = from.iter().map(|f| Frame::new(f, extent)).collect();
-    let view = GpuRsm::blank(&context, from, scene.extent, spec)?;
+    let view = GpuRsm::blank(&context, from, scene.surroundings.all, spec)?;
     let Some(lights) = scene.lights.as_ref().filter(|_| scene.all_vertex_count > 0) else {
         return Ok(view);
     };
@@ -157,7 +157,7 @@ const PIXELS: u32 = 256;
 /// Pixels along the edge of a texel: odd, so that one lies in its middle. Corners are rasterised to 1/256 of a
 /// pixel, which of a coarse picture's texel is more than small triangles allow.
 fn pixels_per_texel(size: u32) -> u32 {
-    ((PIXELS / size).max(1) - 1) / 2 * 2 + 1
+    PIXELS.div_ceil(size) | 1
 }
 
 /// Records which triangle each pixel shows, `size`² pixels a frame, one pass a frame.

@@ -28,7 +28,7 @@ struct Views {
     // Texels along the edge of a view.
     size: u32,
     channels: u32,
-    // Number of captured triangles.
+    // Number of triangles, receivers' too.
     triangles: u32,
     // Nearest distance at which a ray meets anything.
     ray_start: f32,

@@ -11,7 +11,8 @@ use interreflect_cpu::scene::CpuScene;
 use interreflect_estimators::VisibleTriangles;
 use interreflect_scene::{Camera, Estimate, Point, PointLayout, Points};
 pub use look::{Look, Mirrors, Shade, ShadedAt};
-use traced::{footprint, traced};
+use std::f32::consts::FRAC_1_PI;
+use traced::{Traced, footprint, traced};
 use vertices::Vertices;
 
 /// An image as a list of points: what indirect light is estimated for, and the pixels that show it.
@@ -20,8 +21,8 @@ pub struct View {
     pub resolution: [u32; 2],
     points: Vec<Option<Point>>,
     pixels: Vec<Pixel>,
-    /// The surface that each pixel sees, shaded or not.
-    seen: Vec<Option<Point>>,
+    /// The surfaces that pixels see, shaded or not.
+    seen: Vec<Point>,
     /// What is seen of the points where they are vertices; none where they are the pixels'.
     vertices: Option<SeenVertices>,
 }
@@ -45,6 +46,8 @@ struct Pixel {
     mirrored: Vec3,
     /// Radiance that is there without any reflection: emission, environment at infinity.
     emitted: Vec3,
+    /// The surface that is seen, shaded or not; none where there is none.
+    seen: Option<u32>,
 }
 
 /// Points with their weights.
@@ -73,7 +76,7 @@ impl Taps {
 /// Width in pixels of the image that finds out how much of it is shaded.
 const TRIAL: f64 = 96.0;
 
-/// Most pixels of an image: about 2 GB while it is traced.
+/// Most pixels of an image: a few gigabytes while it is traced.
 pub const MAX_PIXELS: u64 = 1 << 24;
 
 impl View {
@@ -147,7 +150,7 @@ impl View {
         check_size(width, height)?;
         let traced = traced(scene, camera, window, look);
         let traced_points: Vec<_> = traced.iter().map(|traced| traced.point).collect();
-        let mut points = Vec::new();
+        let (mut points, mut next_seen) = (Vec::new(), 0);
         let pixels = traced.iter().enumerate().map(|(i, traced)| {
             let taps = traced.point.map(|point| {
                 points.push(Some(Point {
@@ -156,12 +159,12 @@ impl View {
                 }));
                 Taps::one(points.len() - 1)
             });
-            traced.pixel(taps)
+            traced.pixel(taps, &mut next_seen)
         });
         Ok(Self {
             resolution: [width, height],
             pixels: pixels.collect(),
-            seen: traced.iter().map(|traced| traced.seen).collect(),
+            seen: seen(&traced),
             points,
             vertices: None,
         })
@@ -177,7 +180,7 @@ impl View {
         check_size(width, height)?;
         let vertices = Vertices::new(scene.scene(), camera.eye, look.shade);
         let traced = traced(scene, camera, [0, 0, width, height], look);
-        let mut visible = Vec::new();
+        let (mut visible, mut next_seen) = (Vec::new(), 0);
         let pixels = traced.iter().map(|traced| {
             let hit = traced.hit.filter(|_| traced.point.is_some());
             let taps = hit.map(|hit| {
@@ -190,10 +193,10 @@ impl View {
                     weights: [1.0 - v - w, v, w],
                 }
             });
-            traced.pixel(taps)
+            traced.pixel(taps, &mut next_seen)
         });
         let pixels = pixels.collect();
-        let seen = traced.iter().map(|traced| traced.seen).collect();
+        let seen = seen(&traced);
         visible.sort_unstable();
         visible.dedup();
         Ok(Self {
@@ -254,17 +257,17 @@ impl View {
         })
     }
 
-    /// The surfaces that pixels see, a point for each pixel: what reflects direct light.
+    /// The surfaces that pixels see, shaded or not, pixel by pixel: what reflects direct light.
     pub fn seen(&self) -> Points {
-        Points::new(PointLayout::Material, self.seen.iter().copied())
+        Points::new(PointLayout::Material, self.seen.iter().copied().map(Some))
     }
 
     /// All light that reaches the camera, from estimates of what each point reflects of indirect light and each
     /// of [`Self::seen`] of direct light.
     pub fn lit(&self, reflected: &Estimate, direct: &Estimate) -> HdrImage {
         let mut image = self.image(reflected);
-        let pixels = self.pixels.iter().zip(direct.iter());
-        for (value, (pixel, direct)) in image.pixels.iter_mut().zip(pixels) {
+        for (value, pixel) in image.pixels.iter_mut().zip(&self.pixels) {
+            let direct = pixel.seen.map_or(Vec3::ZERO, |i| direct.get(i as usize));
             *value += pixel.emitted + pixel.mirrored * direct;
         }
         image
@@ -283,6 +286,21 @@ impl View {
             pixels: self.pixels.iter().map(value).collect(),
         }
     }
+}
+
+/// The surfaces that are seen, in the order of pixels.
+fn seen(traced: &[Traced]) -> Vec<Point> {
+    traced.iter().filter_map(|traced| traced.seen).collect()
+}
+
+/// What Lambertian points reflect of an irradiance, k_d/π·E in W·m⁻²·sr⁻¹; points have the layout with materials.
+pub fn lambertian(points: &Points, irradiance: &Estimate) -> Estimate {
+    let mut all = Estimate::new(irradiance.len());
+    for (i, point) in points.iter().enumerate() {
+        let albedo = point.map_or(Vec3::ZERO, |p| p.material.diffuse);
+        all.set(i, irradiance.get(i) * albedo * FRAC_1_PI);
+    }
+    all
 }
 
 fn check_size(width: u32, height: u32) -> Result<(), RunError> {

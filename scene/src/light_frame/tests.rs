@@ -7,7 +7,7 @@ fn frames(light: &Light) -> Vec<LightFrame> {
         low: -Vec3::ONE,
         high: Vec3::new(1.0, 2.0, 3.0),
     };
-    light.frames(0, &bounds, RsmViews::Surround)
+    light.frames(0, &Surroundings::within(bounds), RsmViews::Surround)
 }
 
 fn solid_angle(frames: &[LightFrame], size: u32) -> f64 {
@@ -110,10 +110,11 @@ fn a_picture_is_one_view_where_it_is_aimed() {
     };
     let picture = LightPicture::towards(Vec3::X, 60.0);
     let above = Vec3::new(1.0, 3.0, 1.0);
-    for (light, axis, angle_deg) in [
-        (point(above, Some(picture)), Vec3::X, 60.0),
-        (point(above, None), Vec3::NEG_Y, 90.0),
-        (point(bounds.centre(), None), Vec3::NEG_Y, 90.0),
+    let middle = bounds.centre();
+    for (light, at, axis, angle_deg) in [
+        (point(above, Some(picture)), above, Vec3::X, 60.0),
+        (point(above, None), above, Vec3::NEG_Y, 90.0),
+        (point(middle, None), middle, Vec3::NEG_Y, 90.0),
         (
             Light::Area {
                 position: above,
@@ -122,15 +123,16 @@ fn a_picture_is_one_view_where_it_is_aimed() {
                 flux: Vec3::ONE,
                 picture: None,
             },
+            above,
             Vec3::Z,
             90.0,
         ),
     ] {
-        let [frame] = light.frames(3, &bounds, RsmViews::Picture)[..] else {
+        let around = Surroundings::within(bounds);
+        let [frame] = light.frames(3, &around, RsmViews::Picture)[..] else {
             panic!("one view of {light:?}")
         };
-        let at = light.position();
-        assert_eq!((frame.light, Some(frame.origin)), (3, at));
+        assert_eq!((frame.light, frame.origin), (3, at));
         assert!(frame.axis.distance(axis) < 1e-6, "{frame:?}");
         assert!(
             (frame.full_angle().to_degrees() - angle_deg).abs() < 1e-4,
@@ -142,4 +144,30 @@ fn a_picture_is_one_view_where_it_is_aimed() {
             "{frame:?}"
         );
     }
+}
+
+/// A receiver that moves about does not turn the picture of a light at rest.
+#[test]
+fn pictures_are_aimed_at_what_stands_still() {
+    let quad = |role, at: Vec3| {
+        let mut mesh = crate::shapes::quad(1.0, 1.0);
+        mesh.positions.iter_mut().for_each(|p| *p += at);
+        crate::Object {
+            name: "quad".into(),
+            role,
+            mesh,
+            motion: None,
+        }
+    };
+    let request = crate::SceneRequest::new("cornell-box");
+    let mut scene = crate::open(&request).expect("a library scene");
+    let middle = |scene: &Scene| Surroundings::of(scene).middle;
+    let alone = middle(&scene);
+    scene
+        .objects
+        .push(quad(crate::Role::Receiver, Vec3::X * 9.0));
+    assert_eq!(middle(&scene), alone);
+    assert!(Surroundings::of(&scene).all.high.x > 9.0);
+    scene.objects.retain(|o| o.role == crate::Role::Receiver);
+    assert!(middle(&scene).distance(Vec3::X * 9.0) < 1e-5);
 }

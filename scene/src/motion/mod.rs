@@ -177,7 +177,7 @@ impl Scene {
 
     /// The rotation that its only object has here, from rest, where the motion of that object is
     /// rigid: whatever moves from one time to another, its surfaces keep their places relative to
-    /// each other. `None` where there are several objects, or one that stands still or changes its
+    /// each other. `None` where there are several objects, or one without a motion or that changes its
     /// shape or size.
     pub fn rigid_rotation(&self) -> Option<Quat> {
         let [only] = &self.objects[..] else {

@@ -66,7 +66,8 @@ pub struct LightMotion {
     /// Positions in metres.
     pub position: Track<Vec3>,
     /// Unit directions: of the axis, of parallel light, or of an area light's normal. They go along
-    /// great circles. A square spot light is turned without rolling from its direction at rest.
+    /// great circles. A square spot light, and an area light's picture, are
+    /// turned without rolling from the direction at rest; a point light's picture keeps its own.
     pub direction: Track<Vec3>,
 }
 

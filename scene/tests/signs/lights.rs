@@ -2,7 +2,9 @@
 
 use crate::{ROUNDING, near};
 use glam::Vec3;
-use interreflect_scene::{Bounds, Light, LightFrame, Projection, RsmViews, SpotShape};
+use interreflect_scene::{
+    Bounds, Light, LightFrame, Projection, RsmViews, SpotShape, Surroundings,
+};
 use std::f32::consts::FRAC_1_SQRT_2 as H;
 
 fn only(frames: &[LightFrame]) -> LightFrame {
@@ -33,7 +35,7 @@ fn a_spot_s_view_is_upright() {
             angle_deg: 120.0,
             intensity: Vec3::ONE,
         };
-        let frame = only(&spot.frames(7, &BOX, RsmViews::Picture));
+        let frame = only(&spot.frames(7, &Surroundings::within(BOX), RsmViews::Picture));
         assert_eq!((frame.light, frame.origin), (7, position));
         assert_eq!(frame.projection, Projection::Perspective);
         near(frame.axis, direction);
@@ -64,7 +66,7 @@ fn parallel_light_is_looked_along_from_outside() {
         direction,
         irradiance: Vec3::ONE,
     };
-    let frame = only(&light.frames(0, &BOX, RsmViews::Picture));
+    let frame = only(&light.frames(0, &Surroundings::within(BOX), RsmViews::Picture));
     assert_eq!(frame.projection, Projection::Orthographic);
     // Half the diagonal of 4 × 2 × 4 is 3; a hundredth more.
     assert!((frame.half - 3.03).abs() < 1e-5, "{}", frame.half);
@@ -92,7 +94,7 @@ fn the_views_of_points_and_areas_are_faces_of_cubes() {
         intensity: Vec3::ONE,
         picture: None,
     };
-    let frames = point.frames(0, &BOX, RsmViews::Surround);
+    let frames = point.frames(0, &Surroundings::within(BOX), RsmViews::Surround);
     let axes = [
         Vec3::X,
         Vec3::NEG_X,
@@ -120,7 +122,7 @@ fn the_views_of_points_and_areas_are_faces_of_cubes() {
         flux: Vec3::ONE,
         picture: None,
     };
-    let frames = area.frames(0, &BOX, RsmViews::Surround);
+    let frames = area.frames(0, &Surroundings::within(BOX), RsmViews::Surround);
     assert_eq!(frames.len(), 5);
     near(frames[0].axis, normal);
     for side in &frames[1..] {

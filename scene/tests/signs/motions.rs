@@ -5,7 +5,7 @@ use glam::{Quat, Vec3};
 use interreflect_scene::motion::{
     CameraMotion, Deformation, DeformationKind, LightMotion, Motion, Pose, Track,
 };
-use interreflect_scene::{Light, Moves, SceneMotion, SceneRequest, SpotShape, open};
+use interreflect_scene::{Light, LightPicture, Moves, SceneMotion, SceneRequest, SpotShape, open};
 use std::f32::consts::FRAC_1_SQRT_2 as H;
 
 /// The definitions of the deformations at a quarter of the period, where the sine is 1: lengths are
@@ -135,6 +135,33 @@ fn lights_go_on_straight_lines_and_great_circles() {
     };
     near(position, at);
     near(normal, towards);
+    // Its picture turns with it, about x × y = z; a point light's stays.
+    let picture = Some(LightPicture::towards(Vec3::X, 60.0));
+    let area = Light::Area {
+        position: Vec3::ONE,
+        normal: Vec3::X,
+        area_m2: 1.0,
+        flux: Vec3::ONE,
+        picture,
+    };
+    let Light::Area {
+        picture: Some(turned),
+        ..
+    } = motion.of(&area, 1.0)
+    else {
+        panic!("an area light with a picture");
+    };
+    near(turned.direction, towards);
+    near(turned.up, Vec3::new(-H, H, 0.0));
+    let point = Light::Point {
+        position: Vec3::ONE,
+        intensity: Vec3::ONE,
+        picture,
+    };
+    let Light::Point { picture: kept, .. } = motion.of(&point, 1.0) else {
+        panic!("still a point light");
+    };
+    assert_eq!(kept, picture);
     // A spot turns about x × y = z: what is up along z stays, what is up along y goes to −x.
     for (up, turned) in [(Vec3::Z, Vec3::Z), (Vec3::Y, Vec3::new(-H, H, 0.0))] {
         let spot = Light::Spot {

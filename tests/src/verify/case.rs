@@ -158,8 +158,8 @@ fn point(index: usize, [at, normal]: [[f32; 3]; 2], half: Vec3) -> Point {
 /// Points that every box scene under a lighting has.
 pub(super) fn facts(lighting: Lighting) -> SceneFacts {
     SceneFacts {
-        surfaces: true,
-        occluders: true,
+        captured_surfaces: true,
+        any_surface: true,
         environment: lighting == Lighting::Sky,
         lights: u32::from(lighting == Lighting::Lamp),
         emitters: lighting == Lighting::Walls,

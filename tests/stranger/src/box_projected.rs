@@ -34,7 +34,7 @@ impl Method for BoxProjected {
     const QUANTITIES: &'static [Quantity] = &[Quantity::Irradiance];
 
     fn needs(&self, _: Quantity, scene: &SceneFacts) -> Result<Needs, Unsupported> {
-        if !scene.surfaces {
+        if !scene.captured_surfaces {
             return Err(Unsupported("no surfaces to project onto".into()));
         }
         Ok(Needs {

@@ -16,6 +16,8 @@ use interreflect_scene::{Estimate, Light, Material, Point, PointLayout, Scene, S
 use libtest_mimic::{Failed, Trial};
 use std::sync::LazyLock;
 
+pub(crate) use pictures::{BALL, BALL_M, with_a_ball};
+
 pub(crate) fn trials() -> Vec<Trial> {
     macro_rules! both {
         ($check:ident, $test_scene:expr) => {
@@ -67,7 +69,7 @@ fn lit_box(lights: &[Light], points: Vec<Option<Point>>) -> TestScene {
 }
 
 /// One light of each kind in the box; parallel light falls in from above.
-const LIGHTS: [Light; 4] = [
+pub(crate) const LIGHTS: [Light; 4] = [
     Light::Point {
         position: Vec3::new(0.3, 0.7, -0.2),
         intensity: Vec3::new(1.0, 0.8, 0.6),

@@ -189,7 +189,7 @@ pub(crate) fn on_both(
 pub(crate) fn bounced(captured: u32) -> Vec<Variant> {
     let mut all = variants(captured);
     let facts = SceneFacts {
-        surfaces: true,
+        captured_surfaces: true,
         ..SceneFacts::default()
     };
     all.retain_mut(|variant| {

@@ -10,13 +10,11 @@ use crate::presenting::output::{Header, write_exr, write_png};
 use crate::running::clock::Sampling;
 use crate::running::context::{Context, GpuUse};
 use crate::running::on_backend::{Timed, direct_light, measure_on};
-use crate::running::view::View;
-use glam::Vec3;
+use crate::running::view::{View, lambertian};
 use interreflect_estimators::execution::LoadedScene;
 use interreflect_estimators::{Configured, Quantity, Registry};
 use interreflect_scene::{Camera, Estimate, PointLayout, Points, ReflectionLaw, Scene};
 use serde::Serialize;
-use std::f32::consts::FRAC_1_PI;
 use std::path::PathBuf;
 
 /// Folder for images if nothing is said.
@@ -206,11 +204,6 @@ impl Shown {
         if self.quantity() == Quantity::GlossyRadiance {
             return view.lit(estimate, direct);
         }
-        let mut reflected = Estimate::new(estimate.len());
-        for (i, point) in points.iter().enumerate() {
-            let albedo = point.map_or(Vec3::ZERO, |p| p.material.diffuse);
-            reflected.set(i, estimate.get(i) * albedo * FRAC_1_PI);
-        }
-        view.lit(&reflected, direct)
+        view.lit(&lambertian(points, estimate), direct)
     }
 }

@@ -174,8 +174,17 @@ impl<'a> ExperimentContext<'a> {
         backend: Backend,
         view: &View,
     ) -> Result<Estimate, RunError> {
-        let by_lambert = ReflectionLaw::Lambert.into();
-        Ok(direct_light(loaded, backend, &view.seen(), by_lambert)?.0)
+        self.direct_light_at(loaded, backend, &view.seen())
+    }
+
+    /// The direct light that points with materials reflect by Lambert's law, computed on a backend.
+    pub(super) fn direct_light_at(
+        &self,
+        loaded: &LoadedScene,
+        backend: Backend,
+        points: &Points,
+    ) -> Result<Estimate, RunError> {
+        Ok(direct_light(loaded, backend, points, ReflectionLaw::Lambert.into())?.0)
     }
 
     /// Direct light at points, and the milliseconds that it takes, shadows included, over a few runs.

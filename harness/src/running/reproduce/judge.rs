@@ -69,12 +69,13 @@ impl<'a> Judge<'a> {
         )
     }
 
-    /// Mean squared error over the squared mean, with three
-    /// standard errors of what the reference's noise makes of it.
+    /// Mean squared error over the squared mean, less what the reference's noise adds to it, with three standard
+    /// errors of what this noise makes of it. It may be a little below 0.
     pub(super) fn error(&self, e: &Estimate) -> Amount {
         let difference = |i| e.get(i).as_dvec3() - self.r(i);
         Amount {
-            value: self.mean_of(|i| difference(i).powf(2.0)) / self.mean.powi(2),
+            value: self.mean_of(|i| difference(i).powf(2.0) - self.s(i).powf(2.0))
+                / self.mean.powi(2),
             spread: self.deviation(difference),
         }
     }
@@ -192,6 +193,29 @@ mod tests {
         );
         let trial = exact.nearer("this", Backend::Cpu, &near, &far);
         assert_eq!(trial.what, "this, MSE / mean²");
+    }
+
+    /// Errors of ±1, of which the reference's own noise is .9² in the mean: what is left tells the estimates apart.
+    #[test]
+    fn the_references_noise_is_no_error_of_an_estimate() {
+        let reference = estimate(&[2.0, 4.0, 2.0, 4.0]);
+        let noise = estimate(&[0.9; 4]);
+        let judge = Judge::at(&reference, Some(&noise), (0..4).collect());
+        let (near, far) = (estimate(&[3.0; 4]), estimate(&[1.0, 5.0, 1.0, 5.0]));
+        let mean2 = 9.0;
+        for e in [&near, &far] {
+            let left = judge.error(e).value * mean2;
+            // Roundings of .9² in float32.
+            assert!((left - (1.0 - 0.81)).abs() < 1e-6, "{left}");
+        }
+        // Thrice the error above the noise is not within twice of it.
+        let thrice = judge.error(&estimate(&[
+            2.0 + 1.38_f32.sqrt(),
+            4.0 + 1.38_f32.sqrt(),
+            2.0 + 1.38_f32.sqrt(),
+            4.0 + 1.38_f32.sqrt(),
+        ]));
+        assert!(thrice.value > 2.0 * judge.error(&near).value);
     }
 
     #[test]

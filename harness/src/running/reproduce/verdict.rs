@@ -80,6 +80,9 @@ pub struct Trial {
     /// Logarithm of the amount that is claimed to be larger over the other one.
     #[serde(skip)]
     margin: f64,
+    /// What is compared are ratios of times.
+    #[serde(skip)]
+    of_times: bool,
 }
 
 impl Trial {
@@ -88,9 +91,17 @@ impl Trial {
         Self::less_by(what, backend, (a.value, b.value), a.spread.hypot(b.spread))
     }
 
-    /// Whether it compares times: their unit is the last word.
+    /// The same trial, of ratios of times.
+    pub fn of_times(self) -> Self {
+        Self {
+            of_times: true,
+            ..self
+        }
+    }
+
+    /// Whether it compares times, whose unit is the last word, or ratios of them.
     pub fn is_of_times(&self) -> bool {
-        self.what.ends_with(" ms")
+        self.of_times || self.what.ends_with(" ms")
     }
 
     /// That the first number is smaller than the second, where their difference may be off by
@@ -117,6 +128,7 @@ impl Trial {
             outcome,
             evidence: format!("{} {sign} {}", format::number(a), format::number(b)),
             margin: (b.max(f64::MIN_POSITIVE) / a.max(f64::MIN_POSITIVE)).ln(),
+            of_times: false,
         }
     }
 }

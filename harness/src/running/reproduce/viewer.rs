@@ -46,15 +46,15 @@ impl<'a> Viewer<'a> {
         self.from(&self.reference, estimate)
     }
 
-    /// That an estimate `a` differs by less than `factor` times what `b` does. Noise is what the difference of both
+    /// That an estimate `a` differs by less than `b` does. Noise is what the difference of both
     /// changes by where the reference is off by as many standard errors as count as noise.
     pub(super) fn nearer(
         &self,
         what: impl Into<String>,
         backend: Backend,
-        (a, factor, b): (&Estimate, f64, &Estimate),
+        (a, b): (&Estimate, &Estimate),
     ) -> Trial {
-        let pair = |image| (self.from(image, a), factor * self.from(image, b));
+        let pair = |image| (self.from(image, a), self.from(image, b));
         let (of_a, of_b) = pair(&self.reference);
         let change = |image| {
             let (a, b) = pair(image);

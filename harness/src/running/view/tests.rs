@@ -136,3 +136,22 @@ fn vertices_interpolate_over_their_triangles() {
         "the mirror's triangles are not shaded where it shows others"
     );
 }
+
+#[test]
+fn lambertian_points_reflect_by_their_albedo_over_pi() {
+    let of = |albedo| {
+        let mut point = turned(0.0)?;
+        point.material.diffuse = Vec3::splat(albedo);
+        Some(point)
+    };
+    let points = Points::new(PointLayout::Material, [of(0.5), None, of(0.25)]);
+    let mut irradiance = Estimate::new(3);
+    for (i, share) in [1.0, 1.0, 4.0].into_iter().enumerate() {
+        irradiance.set(i, Vec3::splat(share * std::f32::consts::PI));
+    }
+    let found = lambertian(&points, &irradiance);
+    for (found, expected) in found.iter().zip([0.5, 0.0, 1.0]) {
+        // Roundings of two products.
+        assert!((found.x - expected).abs() < 1e-6, "{found}");
+    }
+}

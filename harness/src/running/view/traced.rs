@@ -96,9 +96,12 @@ impl Traced {
         traced
     }
 
-    /// The pixel that shows this.
-    pub(super) fn pixel(&self, taps: Option<Taps>) -> Pixel {
+    /// The pixel that shows this; `next_seen` counts the surfaces that are seen.
+    pub(super) fn pixel(&self, taps: Option<Taps>, next_seen: &mut u32) -> Pixel {
+        let seen = self.seen.map(|_| *next_seen);
+        *next_seen += u32::from(seen.is_some());
         Pixel {
+            seen,
             taps,
             throughput: self.throughput,
             mirrored: self.mirrored,

@@ -120,11 +120,11 @@ fn reads_nothing_else<B: Backend>(mut executor: Executor<'_, B>) -> Result<Broke
     broken.case(nothing, || "what was refused counts as read".into());
     for spec in &needs.cubes {
         let places = spec.channels.distance || spec.channels.normal;
-        broken.case(facts.surfaces || !places, || {
+        broken.case(facts.captured_surfaces || !places, || {
             format!("asks for the place of surfaces, where there are none: {spec:?}")
         });
     }
-    let lit = facts.occluders && facts.lights > 0;
+    let lit = facts.any_surface && facts.lights > 0;
     broken.case(needs.rsms.is_empty() || lit, || {
         "asks for reflective shadow maps where no light or no surface is".into()
     });

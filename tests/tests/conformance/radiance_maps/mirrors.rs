@@ -28,6 +28,10 @@ pub(super) fn trials() -> Vec<Trial> {
         plane_mirror,
     ));
     trials.push(on_gpu("radiance_maps/views_agree/gpu".into(), views_agree));
+    trials.push(on_gpu(
+        "radiance_maps/coarse_views_show_what_rays_meet/gpu".into(),
+        coarse_views,
+    ));
     trials.push(Trial::test("radiance_maps/mirrors_end/cpu", mirrors_end));
     trials
 }
@@ -151,6 +155,36 @@ fn mirrors_end() -> Outcome {
         "{MAX_MIRRORS} mirrors: {:?}",
         views.path_m
     );
+    Ok(())
+}
+
+/// Fraction of a ray's way by which a place may be off, and the share of texels that may be farther off: one
+/// of the picture's 256, whose ray may meet an edge between triangles.
+const OFF: f32 = 1e-3;
+const ON_AN_EDGE: f64 = 1.0 / 256.0;
+
+/// In the cave a triangle is smaller than a texel of a picture of 16²: each texel shows what the ray through its
+/// middle meets all the same.
+fn coarse_views(context: &Arc<GpuContext>) -> Outcome {
+    let cave = TestScene::library("cave", &[]);
+    let spec = RsmSpec {
+        size: 16,
+        views: RsmViews::Picture,
+        channels: ALL_CHANNELS,
+    };
+    let rays = by_rays(&cave.cpu, spec);
+    let on_device = GpuScene::new(context, cave.cpu.scene())?;
+    let (view, _) = context.record("capture", |cx| capture_rsms(cx, &on_device, spec))?;
+    let view = view.download(context)?;
+    let elsewhere = |i: &usize| {
+        let way = rays.path_m[*i];
+        let apart = rays.position[*i].distance(view.position[*i]);
+        (way > 0.0) != (view.path_m[*i] > 0.0) || apart > OFF * way
+    };
+    let count = (0..rays.texels()).filter(elsewhere).count();
+    let share = count as f64 / rays.texels() as f64;
+    println!("{count} of {} texels show something else", rays.texels());
+    ensure!(share <= ON_AN_EDGE, "{count} texels show something else");
     Ok(())
 }
 

@@ -6,7 +6,7 @@ use crate::variants::{Outcome, cpu_scene, gpu_scene, on_both, on_gpu};
 use glam::Vec3;
 use interreflect_estimators::Tolerance;
 use interreflect_estimators::execution::BackendScene;
-use interreflect_scene::{Estimate, Light, LightPicture, Object, Role, shapes};
+use interreflect_scene::{Estimate, Light, LightPicture, Object, Point, Role, shapes};
 use libtest_mimic::{Failed, Trial};
 use std::sync::LazyLock;
 
@@ -28,30 +28,36 @@ pub(super) fn trials() -> Vec<Trial> {
     trials
 }
 
-/// The lit box with a ball under its spot light.
-fn with_a_ball(role: Role) -> TestScene {
-    let plain = super::lit_box(&super::LIGHTS[1..2], inside(100));
+/// Where a ball hangs under the lights of the box, and its radius in metres.
+pub(crate) const BALL: Vec3 = Vec3::new(0.07, 0.11, 0.05);
+pub(crate) const BALL_M: f32 = 0.25;
+
+/// The box with these lights, a ball of a role, and these points.
+pub(crate) fn with_a_ball(role: Role, lights: &[Light], points: Vec<Option<Point>>) -> TestScene {
+    let plain = super::lit_box(lights, Vec::new());
     let mut scene = plain.cpu.scene().clone();
-    let mut mesh = shapes::sphere(0.25, 12);
-    mesh.positions
-        .iter_mut()
-        .for_each(|p| *p += Vec3::new(0.07, 0.11, 0.05));
+    let mut mesh = shapes::sphere(BALL_M, 12);
+    mesh.positions.iter_mut().for_each(|p| *p += BALL);
     scene.objects.push(Object {
         motion: None,
         name: "ball".into(),
         role,
         mesh,
     });
-    TestScene::new("ball-in-a-box", &scene, inside(100))
+    TestScene::new("ball-in-a-box", &scene, points)
 }
 
-static WITH_A_RECEIVER: LazyLock<TestScene> = LazyLock::new(|| with_a_ball(Role::Receiver));
+fn under_the_spot(role: Role) -> TestScene {
+    with_a_ball(role, &super::LIGHTS[1..2], inside(100))
+}
+
+static WITH_A_RECEIVER: LazyLock<TestScene> = LazyLock::new(|| under_the_spot(Role::Receiver));
 
 /// A light shines on receivers, they are in its way and light what is around them, as all that is in the
 /// picture: their role makes no difference.
 fn receivers_are_in_the_picture<S: BackendScene>(loaded: &S, test_scene: &TestScene) -> Outcome {
     let without = super::lit_box(&super::LIGHTS[1..2], inside(100));
-    let as_environment = with_a_ball(Role::Environment);
+    let as_environment = under_the_spot(Role::Environment);
     for settings in [
         &[("solid_angle", "eq14")][..],
         &[("fidelity", "corrected"), ("samples_per_side", "5")],

@@ -8,11 +8,11 @@ use super::super::pictures::Row;
 use super::super::setup::InCode;
 use super::super::verdict::{Amount, Trial};
 use super::super::{Claim, Experiment, Item, Paper};
-use super::irradiance::{correlation, reflected, sum, uniform};
+use super::irradiance::{correlation, sum, uniform};
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
 use crate::running::truth::References;
-use crate::running::view::View;
+use crate::running::view::{View, lambertian};
 use interreflect_estimators::Quantity;
 use interreflect_estimators::execution::LoadedScene;
 use interreflect_scene::{Estimate, PointLayout};
@@ -154,7 +154,7 @@ pub(super) fn compare(
     let ambient = uniform(&truth.values, &points);
     let first = context.backends()[0];
     let direct = context.direct_light(loaded, first, view)?;
-    let lit = |e: &Estimate| view.lit(&reflected(&materials, e), &direct);
+    let lit = |e: &Estimate| view.lit(&lambertian(&materials, e), &direct);
     let title = format!("{case}: direct and indirect light");
     let mut row = Row::against(title, "path tracing", lit(&truth.values), view.surfaces());
     row.add(
@@ -165,7 +165,7 @@ pub(super) fn compare(
     let mut alone = Row::plain(format!("{case}: indirect light alone"));
     alone.add(
         "path tracing",
-        view.image(&reflected(&materials, &truth.values)),
+        view.image(&lambertian(&materials, &truth.values)),
     );
     for backend in context.backends() {
         for fidelity in ["published", "corrected"] {
@@ -185,7 +185,7 @@ pub(super) fn compare(
             }
             if backend == context.backends()[0] {
                 row.add(fidelity, lit(estimate));
-                alone.add(fidelity, view.image(&reflected(&materials, estimate)));
+                alone.add(fidelity, view.image(&lambertian(&materials, estimate)));
             }
             if fidelity == "published" {
                 let trials = nearer(&judge, (case, backend), estimate, &ambient);

@@ -8,10 +8,9 @@ use super::super::pictures::Row;
 use super::super::setup::InCode;
 use super::super::verdict::{Amount, Trial};
 use super::super::{Claim, Experiment, Item, Paper};
-use super::irradiance::reflected;
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
-use crate::running::view::Shade;
+use crate::running::view::{Shade, lambertian};
 use glam::Vec3;
 use interreflect_estimators::Quantity;
 use interreflect_scene::{Estimate, Light, PointLayout, Scene};
@@ -66,7 +65,7 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
     let reference = references.model(model);
     let judge = Judge::new(reference, &points);
     let gained = total(&reference.values) - total(&without.model(model).values);
-    let shown = |e: &Estimate| view.image(&reflected(&materials, e));
+    let shown = |e: &Estimate| view.image(&lambertian(&materials, e));
     let title = "indirect light of a lantern that shines at a mirror";
     let mut row = Row::against(
         title,

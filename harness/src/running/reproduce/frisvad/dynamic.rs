@@ -9,10 +9,10 @@ use super::super::{Claim, Experiment, Item, Paper};
 use super::super::{measured_run::amount_of, pictures::Row};
 use super::bleeding;
 use super::bleeding::NEARER;
-use super::irradiance;
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
 use crate::running::on_backend::Sequence;
+use crate::running::view::lambertian;
 use glam::Vec3;
 use interreflect_estimators::Quantity;
 use interreflect_scene::motion::Moves;
@@ -93,7 +93,7 @@ fn frames(
         if index % count.div_ceil(4) == 0 {
             let direct = context.direct_light(&loaded, backend, &view)?;
             let materials = view.points(PointLayout::Material);
-            let reflected = irradiance::reflected(&materials, &on.estimate);
+            let reflected = lambertian(&materials, &on.estimate);
             row.add(format!("frame {index}"), view.lit(&reflected, &direct));
         }
     }

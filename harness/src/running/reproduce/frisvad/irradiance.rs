@@ -2,7 +2,6 @@
 
 use glam::{DVec3, Vec3};
 use interreflect_scene::{Estimate, Points};
-use std::f32::consts::FRAC_1_PI;
 
 /// The same colour at every point that has a surface: the mean of all.
 pub(super) fn uniform(of: &Estimate, points: &Points) -> Estimate {
@@ -14,16 +13,6 @@ pub(super) fn uniform(of: &Estimate, points: &Points) -> Estimate {
     let mut all = Estimate::new(of.len());
     for i in surfaces {
         all.set(i, mean);
-    }
-    all
-}
-
-/// What diffuse surfaces reflect of an irradiance.
-pub(super) fn reflected(materials: &Points, irradiance: &Estimate) -> Estimate {
-    let mut all = Estimate::new(irradiance.len());
-    for (i, point) in materials.iter().enumerate() {
-        let albedo = point.map_or(Vec3::ZERO, |p| p.material.diffuse);
-        all.set(i, irradiance.get(i) * albedo * FRAC_1_PI);
     }
     all
 }
@@ -61,26 +50,14 @@ mod tests {
     use interreflect_scene::{Point, PointLayout};
 
     #[test]
-    fn ambient_light_is_the_mean_and_diffuse_surfaces_reflect_by_pi() {
-        let at = |albedo| {
-            Some(Point {
-                normal: Vec3::Y,
-                material: interreflect_scene::SurfaceMaterial {
-                    diffuse: Vec3::splat(albedo),
-                    ..Default::default()
-                },
-                ..Point::default()
-            })
-        };
-        let points = Points::new(PointLayout::Material, [at(0.5), None, at(0.25)]);
+    fn ambient_light_is_the_mean() {
+        let points = Points::new(
+            PointLayout::Surface,
+            [Some(Point::default()), None, Some(Point::default())],
+        );
         let mean = uniform(&of(&[1.0, 7.0, 3.0]), &points);
         let found: Vec<f32> = mean.iter().map(|v| v.y).collect();
         assert_eq!(found, [2.0, 0.0, 2.0]);
-        let pi = std::f32::consts::PI;
-        let lit = reflected(&points, &of(&[pi, pi, 4.0 * pi]));
-        for (found, expected) in lit.iter().zip([0.5, 0.0, 1.0]) {
-            assert!((found.x - expected).abs() < 1e-6, "{found}");
-        }
         assert_eq!(sum(&of(&[1.0, 2.0])), DVec3::splat(3.0));
     }
 

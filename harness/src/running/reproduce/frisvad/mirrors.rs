@@ -8,11 +8,10 @@ use super::super::pictures::Row;
 use super::super::setup::InCode;
 use super::super::verdict::{Amount, Trial};
 use super::super::{Claim, Experiment, Item, Paper};
-use super::irradiance::reflected;
 use crate::domain::image::HdrImage;
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
-use crate::running::view::{Look, Mirrors, ShadedAt, View};
+use crate::running::view::{Look, Mirrors, ShadedAt, View, lambertian};
 use interreflect_estimators::Quantity;
 use interreflect_estimators::execution::LoadedScene;
 use interreflect_scene::{Estimate, PointLayout};
@@ -71,7 +70,7 @@ pub(super) fn run(context: &ExperimentContext<'_>) -> Result<Finding, RunError> 
     let truth = references.truth();
     let reference = lit((included, under_included), &truth.values);
     let materials = included.points(PointLayout::Material);
-    let error = included.image(&reflected(&materials, &truth.error));
+    let error = included.image(&lambertian(&materials, &truth.error));
     let (values, errors) = (reference.to_estimate(), error.to_estimate());
     let judge = Judge::at(&values, Some(&errors), at);
     let mut row = Row::against(
@@ -147,7 +146,7 @@ fn shoot(
 
 fn lit((view, direct): (&View, &Estimate), irradiance: &Estimate) -> HdrImage {
     let materials = view.points(PointLayout::Material);
-    view.lit(&reflected(&materials, irradiance), direct)
+    view.lit(&lambertian(&materials, irradiance), direct)
 }
 
 #[cfg(test)]

@@ -128,7 +128,7 @@ fn judged(scene: &str, backend: Backend, [elsewhere, error]: [f64; 2]) -> [Trial
 /// their radiance over its mean.
 fn check(loaded: &LoadedScene, view: &RsmImage) -> (usize, f64, f64) {
     let (scene, size) = (loaded.scene(), view.size);
-    let geometry = loaded.cpu().scene.environment_objects();
+    let geometry = loaded.cpu().scene.all_objects();
     let (mut photons, mut elsewhere) = (0_usize, 0_usize);
     let (mut square, mut sum) = (DVec3::ZERO, DVec3::ZERO);
     for (f, frame) in view.frames.iter().enumerate() {
@@ -141,10 +141,14 @@ fn check(loaded: &LoadedScene, view: &RsmImage) -> (usize, f64, f64) {
                     .cpu()
                     .scene
                     .closest(geometry, origin, along.as_vec3(), geometry.ray_start());
-            let Some(hit) = hit.filter(|h| view.path_m[i] > 0.0 && !h.material.mirror) else {
+            if view.path_m[i] <= 0.0 || hit.as_ref().is_some_and(|h| h.material.mirror) {
+                continue;
+            }
+            photons += 1;
+            let Some(hit) = hit else {
+                elsewhere += 1;
                 continue;
             };
-            photons += 1;
             let way = (hit.position - origin).length();
             if hit.position.distance(view.position[i].as_dvec3()) > OFF * way {
                 elsewhere += 1;

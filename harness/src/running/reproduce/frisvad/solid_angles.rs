@@ -98,12 +98,14 @@ fn costs(backend: Backend, [eq11, eq15, eq14]: [Amount; 3]) -> [Trial; 3] {
             "2.33/1.5 below eq. 14's frame over eq. 11's",
             bound(1.0 / FACTOR),
             ratio,
-        ),
+        )
+        .of_times(),
         below(
             "eq. 14's frame over eq. 11's below 2.33·1.5",
             ratio,
             bound(FACTOR),
-        ),
+        )
+        .of_times(),
     ]
 }
 

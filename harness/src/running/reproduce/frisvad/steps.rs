@@ -2,18 +2,19 @@
 
 use super::super::experiment_context::ExperimentContext;
 use super::super::finding::Finding;
+use super::super::measured_run::amount_of;
 use super::super::pictures::Row;
 use super::super::scene_setup::SceneSetup;
 use super::super::verdict::{Amount, Trial};
 use super::super::{Claim, Experiment, Item, Paper};
-use super::irradiance::reflected;
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
-use crate::running::view::{Look, Mirrors, Shade, View};
+use crate::running::view::{Look, Mirrors, Shade, View, lambertian};
 use interreflect_estimators::execution::LoadedScene;
 use interreflect_estimators::{Configured, Quantity};
 use interreflect_scene::{DirectLight, Estimate, PointLayout, ReflectionLaw};
 use serde::Serialize;
+use std::time::Instant;
 
 /// The Cornell box under a distant area light, by eq. 9.
 pub(super) const BOX: SceneSetup = SceneSetup::of("cornell-box").set(&[("light", "area")]);
@@ -168,12 +169,29 @@ pub(super) fn view(
     context.whole_view(loaded, context.pick(128, 512), look)
 }
 
+/// The view of a step, and the milliseconds that it takes over a few runs: rays of the CPU, for both backends.
+fn seen(
+    context: &ExperimentContext<'_>,
+    loaded: &LoadedScene,
+    step: Step,
+) -> Result<(View, Amount), RunError> {
+    let of_step = view(context, loaded, step)?;
+    let mut times_ms = Vec::new();
+    for _ in 0..3 {
+        let start = Instant::now();
+        view(context, loaded, step)?;
+        times_ms.push(1e3 * start.elapsed().as_secs_f64());
+    }
+    Ok((of_step, amount_of(&times_ms)))
+}
+
 /// A picture of a step on a backend: how it looks, and a frame of it in milliseconds.
 pub(super) struct Taken {
     pub(super) step: Step,
     /// Irradiance at the view's points; zeros where a step has no indirect light.
     pub(super) irradiance: Estimate,
-    /// Direct light with shadows, and captures, preparation and shading of indirect light.
+    /// Finding what is seen, through mirrors too, direct light with shadows, and captures, preparation and shading of
+    /// indirect light.
     pub(super) frame_ms: Amount,
     /// All light that reaches the camera.
     pub(super) image: crate::domain::image::HdrImage,
@@ -186,18 +204,19 @@ pub(super) fn take(
     (steps, grid, backend): (&[Step], Grid, Backend),
     finding: &mut Finding,
 ) -> Result<Vec<Taken>, RunError> {
+    finding.note("surfaces seen are found by rays on the CPU, through mirrors too, and their time is part of both backends' frames");
     let mut taken = Vec::new();
     for &step in steps {
-        let view = view(context, loaded, step)?;
+        let (view, seen_ms) = seen(context, loaded, step)?;
         let points = view.points(Quantity::Irradiance.layout());
         let (direct, direct_ms) =
             context.direct_light_timed(loaded, backend, (&view.seen(), step.direct_light()))?;
         let (irradiance, frame_ms) = match step.map(context, grid)? {
-            None => (Estimate::new(points.len()), direct_ms),
+            None => (Estimate::new(points.len()), seen_ms.plus(direct_ms)),
             Some(map) => {
                 let quantity = Quantity::Irradiance;
                 let measured = context.run_timed(loaded, backend, &*map, quantity, &points)?;
-                let frame_ms = measured.frame_ms().plus(direct_ms);
+                let frame_ms = measured.frame_ms().plus(direct_ms).plus(seen_ms);
                 finding.runs.push(measured.run);
                 (measured.estimate, frame_ms)
             }
@@ -205,11 +224,12 @@ pub(super) fn take(
         let unit = ("ms", context.software(backend));
         let case = format!("{scene}, {}", step.caption());
         finding.time((case.as_str(), "frame"), backend, frame_ms, unit);
+        finding.time((case.as_str(), "surfaces seen"), backend, seen_ms, unit);
         finding.time((case.as_str(), "direct light"), backend, direct_ms, unit);
         let materials = view.points(PointLayout::Material);
         taken.push(Taken {
             step,
-            image: view.lit(&reflected(&materials, &irradiance), &direct),
+            image: view.lit(&lambertian(&materials, &irradiance), &direct),
             irradiance,
             frame_ms,
         });

@@ -128,19 +128,12 @@ impl Runs for FrameRates {
 /// That a ratio is within a factor of the paper's.
 fn within(what: &str, backend: Backend, (ours, theirs): (Amount, f64)) -> [Trial; 2] {
     let bound = |by: f64| Amount::exact(theirs * by);
+    let (least, most) = (bound(1.0 / FACTOR), bound(FACTOR));
+    let above = format!("{what}: half of the paper's ratio below ours");
+    let below = format!("{what}: ours below twice the paper's");
     [
-        Trial::less(
-            format!("{what}: half of the paper's ratio below ours"),
-            backend,
-            bound(1.0 / FACTOR),
-            ours,
-        ),
-        Trial::less(
-            format!("{what}: ours below twice the paper's"),
-            backend,
-            ours,
-            bound(FACTOR),
-        ),
+        Trial::less(above, backend, least, ours).of_times(),
+        Trial::less(below, backend, ours, most).of_times(),
     ]
 }
 

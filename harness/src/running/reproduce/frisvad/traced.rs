@@ -8,10 +8,10 @@ use super::super::scene_setup::SceneSetup;
 use super::super::setup::Runs;
 use super::super::verdict::{Amount, Trial};
 use super::super::{Claim, Experiment, Item, Paper};
-use super::irradiance::reflected;
 use super::steps::{BOX, GRID, Grid, Step, take, view};
 use crate::domain::record::Backend;
 use crate::running::error::RunError;
+use crate::running::view::lambertian;
 use glam::Vec3;
 use interreflect_estimators::Quantity;
 use interreflect_scene::{Estimate, Point, PointLayout};
@@ -85,6 +85,13 @@ impl Runs for AgainstPathTracing {
         let all: Vec<Point> = points.iter().map(Option::unwrap_or_default).collect();
         let materials = view.points(PointLayout::Material);
         let judge = Judge::new(truth, &points);
+        let traced = Amount::exact(traced_ms);
+        finding.time(
+            ("path tracing", "frame"),
+            Backend::Cpu,
+            traced,
+            ("ms", false),
+        );
         for backend in context.backends() {
             let what = (&[Step::Eq14][..], self.grid, backend);
             let taken = take(context, ("Cornell box", &loaded), what, &mut finding)?;
@@ -92,7 +99,7 @@ impl Runs for AgainstPathTracing {
                 continue;
             };
             let direct = context.direct_light(&loaded, backend, &view)?;
-            let lit = |e: &Estimate| view.lit(&reflected(&materials, e), &direct);
+            let lit = |e: &Estimate| view.lit(&lambertian(&materials, e), &direct);
             let title = format!("Cornell box, {backend}");
             let mut row = Row::against(title, "path tracing", lit(&truth.values), view.surfaces());
             row.add("eq. 14", map.image);
@@ -100,28 +107,24 @@ impl Runs for AgainstPathTracing {
             let shades = scaled(&map.irradiance, judge.factor(&map.irradiance));
             row.add("eq. 14, as bright as the truth", lit(&shades));
             finding.pictures.push(row);
-            let dark: Vec<bool> = direct.iter().map(|v| v == Vec3::ZERO).collect();
+            let at_points = context.direct_light_at(&loaded, backend, &materials)?;
+            let dark: Vec<bool> = at_points.iter().map(|v| v == Vec3::ZERO).collect();
             let places = Places {
                 points: &all,
                 dark: &dark,
             };
-            for (claim, what, [ours, theirs]) in places.compared(&shades, &truth.values) {
+            for (claim, what, [ours, theirs]) in
+                places.compared(&shades, (&truth.values, &truth.error))
+            {
                 for (whose, value) in [("eq. 14", ours), ("path tracing", theirs)] {
                     let amount = Amount::exact(value);
                     finding.measure((whose, what), backend, amount, "");
                 }
                 finding.judge(claim, [judged(claim, backend, what, [ours, theirs])]);
             }
-            let unit = ("ms", context.software(backend));
-            let traced = Amount::exact(traced_ms);
-            finding.time(
-                ("path tracing", "frame"),
-                Backend::Cpu,
-                traced,
-                ("ms", false),
-            );
             let times = traced.over(map.frame_ms);
-            finding.time(("eq. 14", "times as fast"), backend, times, ("", unit.1));
+            let software = context.software(backend);
+            finding.time(("eq. 14", "times as fast"), backend, times, ("", software));
             finding.judge("C5", [faster(backend, times)]);
         }
         Ok(finding)
@@ -147,14 +150,14 @@ impl Places<'_> {
     fn compared(
         &self,
         map: &Estimate,
-        truth: &Estimate,
+        (truth, error): (&Estimate, &Estimate),
     ) -> [(&'static str, &'static str, [f64; 2]); 4] {
         let both = |measure: &dyn Fn(&Estimate) -> f64| [measure(map), measure(truth)];
         [
             (
                 "C1",
                 "spread of bleeding over floor, ceiling and back wall",
-                both(&|e| self.bleeding(e)),
+                [self.bleeding(map, None), self.bleeding(truth, Some(error))],
             ),
             (
                 "C2",
@@ -174,17 +177,25 @@ impl Places<'_> {
         ]
     }
 
-    /// Standard deviation of (red − green)/(red + green) over white walls.
-    fn bleeding(&self, e: &Estimate) -> f64 {
+    /// Standard deviation of (red − green)/(red + green) over white walls, less what an estimate's own standard
+    /// errors add to it.
+    fn bleeding(&self, e: &Estimate, error: Option<&Estimate>) -> f64 {
         let on = |p: &Point| {
             let [y, z] = [p.position.y, p.position.z];
             let between = ON_WALL_M..=BOX_M.y - ON_WALL_M;
             !between.contains(&y) || z > BOX_M.z - ON_WALL_M
         };
-        let shades: Vec<f64> = self.at(on).map(|i| balance(e.get(i))).collect();
-        let mean = shades.iter().sum::<f64>() / shades.len().max(1) as f64;
-        let square: f64 = shades.iter().map(|s| (s - mean).powi(2)).sum();
-        (square / shades.len().max(1) as f64).sqrt()
+        let shades: Vec<(f64, f64)> = self
+            .at(on)
+            .map(|i| {
+                let noise = error.map_or(0.0, |error| balance_variance(e.get(i), error.get(i)));
+                (balance(e.get(i)), noise)
+            })
+            .collect();
+        let count = shades.len().max(1) as f64;
+        let mean = shades.iter().map(|s| s.0).sum::<f64>() / count;
+        let square: f64 = shades.iter().map(|s| (s.0 - mean).powi(2) - s.1).sum();
+        (square.max(0.0) / count).sqrt()
     }
 
     /// Mean on the floor without direct light over that with it.
@@ -226,6 +237,13 @@ fn balance(v: Vec3) -> f64 {
     f64::from((v.x - v.y) / (v.x + v.y).max(f32::MIN_POSITIVE))
 }
 
+/// Variance of [`balance`] that independent standard errors of red and green cause, to first order.
+fn balance_variance(v: Vec3, error: Vec3) -> f64 {
+    let (v, error) = (v.as_dvec3(), error.as_dvec3());
+    let square = (v.x + v.y).powi(2).max(f64::MIN_POSITIVE);
+    (2.0 * v.y * error.x / square).powi(2) + (2.0 * v.x * error.y / square).powi(2)
+}
+
 fn mean(e: &Estimate, at: impl Iterator<Item = usize>) -> f64 {
     let (mut sum, mut count) = (0.0, 0_usize);
     for i in at {
@@ -255,7 +273,7 @@ fn judged(claim: &str, backend: Backend, what: &str, [ours, theirs]: [f64; 2]) -
 
 fn faster(backend: Backend, times: Amount) -> Trial {
     let what = "1000 below how many times as fast as path tracing";
-    Trial::less(what, backend, Amount::exact(FASTER), times)
+    Trial::less(what, backend, Amount::exact(FASTER), times).of_times()
 }
 
 #[cfg(test)]
@@ -288,9 +306,17 @@ mod tests {
         assert!((places.in_shadow(&e) - 0.25).abs() < 1e-6);
         assert!((places.spot(&e) - 1.5).abs() < 1e-6);
         assert!((places.green(&e) - 2.0).abs() < 1e-6);
-        assert!(places.bleeding(&e) < 1e-6);
+        assert!(places.bleeding(&e, None) < 1e-6);
         e.set(0, Vec3::X);
-        assert!(places.bleeding(&e) > 0.1);
+        let spread = places.bleeding(&e, None);
+        let mut error = Estimate::new(5);
+        assert!(spread > 0.1 && places.bleeding(&e, Some(&error)) == spread);
+        (0..5).for_each(|i| error.set(i, Vec3::splat(9.0)));
+        assert_eq!(
+            places.bleeding(&e, Some(&error)),
+            0.0,
+            "all of it may be noise"
+        );
         let sign = |claim, values| signs([&judged(claim, Backend::Cpu, "", values)]);
         let both = |claim| sign(claim, [1.0, 2.0]) + &sign(claim, [2.0, 1.0]);
         assert_eq!(["C1", "C2", "C3", "C4"].map(both), ["+-", "-+", "+-", "-+"]);

@@ -170,7 +170,7 @@ fn note(
 }
 
 /// That pictures differ by less than a twentieth of white.
-fn unnoticed(backend: Backend, rms: f64) -> Trial {
+pub(super) fn unnoticed(backend: Backend, rms: f64) -> Trial {
     Trial::less_by(SHOWN, backend, (rms, SAME), 0.0)
 }
 

@@ -5,13 +5,13 @@ use super::super::finding::Finding;
 use super::super::pictures::Row;
 use super::super::scene_setup::SceneSetup;
 use super::super::setup::Runs;
-use super::super::verdict::{Amount, Trial};
+use super::super::verdict::Amount;
 use super::super::viewer::{LOOKS, SHOWN, Viewer};
 use super::super::{Claim, Experiment, Item, Paper};
 use super::biased;
+use super::phong::unnoticed;
 use super::studio;
 use super::{MIRRORING, PIXELS, RESOLUTION};
-use crate::domain::record::Backend;
 use crate::running::error::RunError;
 use crate::running::view::Look;
 use glam::Quat;
@@ -52,9 +52,6 @@ pub(super) struct Shift {
     /// Degrees about the axis upwards by which environment and model are turned against the cube.
     pub(super) turned_deg: f64,
 }
-
-/// Largest rms difference of pictures, where white is 1, that passes for hardly noticeable.
-const SAME: f64 = 0.05;
 
 impl Runs for Shift {
     fn run(&self, context: &ExperimentContext<'_>) -> Result<Finding, RunError> {
@@ -102,11 +99,6 @@ impl Runs for Shift {
     }
 }
 
-/// That pictures differ by less than a twentieth of white.
-fn unnoticed(backend: Backend, rms: f64) -> Trial {
-    Trial::less_by(SHOWN, backend, (rms, SAME), 0.0)
-}
-
 /// Points turned about the origin.
 fn turn(points: &Points, by: Quat) -> Points {
     let turned = |point: Point| Point {
@@ -125,6 +117,7 @@ fn turn(points: &Points, by: Quat) -> Points {
 mod tests {
     use super::super::super::synthetic::signs;
     use super::*;
+    use crate::domain::record::Backend;
     use glam::Vec3;
     use interreflect_scene::PointLayout;
 

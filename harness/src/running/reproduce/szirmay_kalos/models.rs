@@ -230,7 +230,7 @@ fn looks(
         "{place}: {} looks more like the reference than classic",
         map.0
     );
-    viewer.nearer(what, backend, (&map.1, 1.0, classic))
+    viewer.nearer(what, backend, (&map.1, classic))
 }
 
 /// That a map differs from the large one by less than half of what classic mapping does, root mean square.
