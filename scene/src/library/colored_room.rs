@@ -194,7 +194,7 @@ impl Recipe for ColoredRoom {
             lights: vec![Light::Point {
                 position: Vec3::new(0.15, 0.6, 0.1),
                 intensity: Vec3::splat(s.light),
-                picture: None,
+                picture: Some(room::PICTURE),
             }],
             camera: Some(room::camera(0.6 * home)),
             reference_point: Some(reference + offset),

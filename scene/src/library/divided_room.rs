@@ -78,7 +78,7 @@ impl Recipe for DividedRoom {
             lights: vec![Light::Point {
                 position: Vec3::new(0.5, 0.45, 0.1),
                 intensity: Vec3::new(1.6, 1.5, 1.3),
-                picture: None,
+                picture: Some(room::PICTURE),
             }],
             camera: Some(Camera {
                 eye: Vec3::new(0.8, 0.3, 0.97),

@@ -2,11 +2,18 @@
 
 use crate::load::build::Model;
 use crate::shapes::{self, Facing};
-use crate::{Camera, Material};
+use crate::{Camera, LightPicture, Material};
 use glam::Vec3;
 
 /// Half the edge of a room in metres.
 pub(super) const HALF: f32 = 1.0;
+
+/// Where a room's lamp takes its picture: down, and wide enough to see the walls beside a receiver in the middle.
+pub(super) const PICTURE: LightPicture = LightPicture {
+    direction: Vec3::NEG_Y,
+    up: Vec3::Z,
+    angle_deg: 120.0,
+};
 
 /// Thickness of a divider in metres.
 pub(super) const DIVIDER: f32 = 0.06;

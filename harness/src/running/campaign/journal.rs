@@ -69,6 +69,16 @@ pub(crate) struct Journal {
     machines: Vec<Machine>,
 }
 
+impl Drop for Journal {
+    /// Gives the lock up at once: a process that is being started holds a copy of the file until it has begun, and
+    /// with it a lock that closing alone does not end.
+    fn drop(&mut self) {
+        if let Some((_, file)) = &self.file {
+            file.unlock().ok();
+        }
+    }
+}
+
 impl Journal {
     /// A journal that is kept in memory alone.
     pub(crate) fn in_memory() -> Self {

@@ -41,6 +41,19 @@ fn a_half_written_line_is_dropped_and_the_rest_is_there() -> Result<(), JournalE
     Ok(())
 }
 
+/// A process that is being started holds copies of all files until it has begun.
+#[test]
+fn a_closed_journal_is_free_though_a_copy_of_its_file_is_open() -> Result<(), JournalError> {
+    let folder = tempfile::tempdir().expect("a folder");
+    let journal = Journal::open(folder.path())?;
+    let (_, file) = journal.file.as_ref().expect("a file");
+    let copy = file.try_clone().expect("a copy");
+    drop(journal);
+    Journal::open(folder.path())?;
+    drop(copy);
+    Ok(())
+}
+
 #[test]
 fn a_damaged_line_is_named_and_a_second_writer_refused() -> Result<(), JournalError> {
     let folder = tempfile::tempdir().expect("a folder");
