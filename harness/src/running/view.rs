@@ -1,6 +1,7 @@
 //! What the camera sees, as a list of points: what is measured is what is shown.
 
 mod look;
+mod pixel;
 mod traced;
 mod vertices;
 
@@ -11,6 +12,7 @@ use interreflect_cpu::scene::CpuScene;
 use interreflect_estimators::VisibleTriangles;
 use interreflect_scene::{Camera, Estimate, Point, PointLayout, Points};
 pub use look::{Look, Mirrors, Shade, ShadedAt};
+use pixel::{Pixel, Taps};
 use std::f32::consts::FRAC_1_PI;
 use traced::{Traced, footprint, traced};
 use vertices::Vertices;
@@ -33,44 +35,6 @@ struct SeenVertices {
     /// Those that some pixel shows.
     visible: Vec<u32>,
     visible_points: Vec<u32>,
-}
-
-/// What a pixel shows.
-#[derive(Clone, Copy)]
-struct Pixel {
-    /// The points that it shows, none if it sees no shaded surface.
-    taps: Option<Taps>,
-    /// Product of the mirrors' reflectances between camera and point.
-    throughput: Vec3,
-    /// The same, up to the surface that is seen, shaded or not.
-    mirrored: Vec3,
-    /// Radiance that is there without any reflection: emission, environment at infinity.
-    emitted: Vec3,
-    /// The surface that is seen, shaded or not; none where there is none.
-    seen: Option<u32>,
-}
-
-/// Points with their weights.
-#[derive(Clone, Copy)]
-struct Taps {
-    points: [u32; 3],
-    weights: [f32; 3],
-}
-
-impl Taps {
-    fn one(point: usize) -> Self {
-        Self {
-            points: [point as u32, 0, 0],
-            weights: [1.0, 0.0, 0.0],
-        }
-    }
-
-    fn of(self, estimate: &Estimate) -> Vec3 {
-        let taps = self.points.into_iter().zip(self.weights);
-        taps.filter(|tap| tap.1 != 0.0)
-            .map(|(point, weight)| estimate.get(point as usize) * weight)
-            .sum()
-    }
 }
 
 /// Width in pixels of the image that finds out how much of it is shaded.

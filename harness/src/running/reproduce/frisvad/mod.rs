@@ -12,6 +12,7 @@ mod materials;
 mod mirror_balls;
 mod mirrors;
 mod number_of_samples;
+mod places;
 mod rates;
 mod rsm;
 mod solid_angles;
